@@ -1,0 +1,43 @@
+# Everything a newcomer needs: `make demo` and `make test`. The rest is listed by `make help`.
+PYTHON ?= python3
+VENV   ?= .venv
+BIN    := $(VENV)/bin
+READY  := $(VENV)/.ready
+ARGS   ?= --help
+export PIP_DISABLE_PIP_VERSION_CHECK = 1
+export PYTHONWARNINGS =
+
+.PHONY: help setup demo run test lint benchmark clean
+
+help:  ## list the commands
+	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## */  make \1\t/' | expand -t 20
+
+setup: $(READY)  ## a virtual environment with everything in it
+
+$(READY): pyproject.toml constraints.txt packaging/linux/system-libraries
+	@sh packaging/linux/system-libraries
+	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
+	@echo "Installing the packages into $(VENV) (about a minute) ..."
+	@$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[dev]'
+	@touch $@
+
+demo: $(READY)  ## the main job on a bundled sample: leaves CSV and picture in out/
+	@BOBDESK=$(BIN)/bobdesk sh packaging/demo
+
+run: $(READY)  ## start BobDesk: make run ARGS="check PLAN --length 1300 --drop 120"
+	@$(BIN)/bobdesk $(ARGS)
+
+test: $(READY)  ## all tests
+	@QT_QPA_PLATFORM=offscreen $(BIN)/python -m pytest
+
+lint: $(READY)  ## style, types, and the direction of dependencies
+	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --check .
+	@$(BIN)/mypy
+	@$(BIN)/lint-imports --verbose 2>&1 | tail -n 12; $(BIN)/lint-imports >/dev/null
+
+benchmark: $(READY)  ## seconds and memory beside a peer, as a table
+	@$(BIN)/python -m tests.benchmarks
+
+clean:  ## remove what the other commands made
+	rm -rf $(VENV) out build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,0 +1,1 @@
+"""A polyline becomes equal stations, curvature, and straight and curved segments."""

@@ -1,0 +1,1 @@
+"""Pictures and coordinates become a polyline in metres."""

@@ -1,0 +1,1 @@
+"""Targets and limits become the gradient of every segment."""
