@@ -17,9 +17,7 @@ class Progress:
     doing: str
 
 
-def finish(
-    job: Generator[Progress, None, Result], report: Callable[[Progress], None] | None = None
-) -> Result:
+def finish(job: Generator[Progress, None, Result], report: Callable[[Progress], None] | None = None) -> Result:
     """Pull `job` to its end and return its result; `report` is called with each progress."""
     while True:
         try:

@@ -1,0 +1,185 @@
+"""Segments of an alignment, and what a user does to them: every edit is a pure function."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from bobdesk.errors import InputError
+
+Kind = Literal["straight", "curve"]
+Segments = tuple["Segment", ...]
+SHORTEST = 3.0
+_SAME_STATION = 1e-6
+
+
+@dataclass(frozen=True)
+class Segment:
+    """One straight or curved section of the alignment.
+
+    Attributes
+    ----------
+    kind
+        "straight" or "curve".
+    start, end
+        Stations, m.
+    locked
+        Detecting again leaves it as it is.
+    name
+        Curve number or name, as the track has it; may be empty.
+    """
+
+    kind: Kind
+    start: float
+    end: float
+    locked: bool = False
+    name: str = ""
+
+    @property
+    def length(self) -> float:
+        """Length in plan, m."""
+        return self.end - self.start
+
+
+def check_segments(segments: Sequence[Segment], *, length: float) -> Segments:
+    """Return the segments if they cover the line from 0 to `length` in order, without gap or overlap.
+
+    Raises
+    ------
+    InputError
+        If they do not; the sentence names the first segment at fault.
+    """
+    if not segments:
+        raise InputError("there is no segment")
+    expected = 0.0
+    for number, segment in enumerate(segments, 1):
+        if segment.kind not in ("straight", "curve"):
+            raise InputError(f"segment {number} is of the kind '{segment.kind}'; it must be straight or curve")
+        if abs(segment.start - expected) > _SAME_STATION:
+            fault = "overlaps the one before" if segment.start < expected else "leaves a gap to the one before"
+            raise InputError(f"segment {number} {fault}: it begins at {segment.start:g} m, not {expected:g} m")
+        if not segment.end > segment.start:
+            raise InputError(f"segment {number} ends at {segment.end:g} m, before it begins at {segment.start:g} m")
+        expected = segment.end
+    if abs(expected - length) > max(_SAME_STATION, 1e-9 * length):
+        raise InputError(f"the segments end at {expected:.3f} m, but the line is {length:.3f} m long")
+    return tuple(segments)
+
+
+def segment_at(segments: Segments, station: float) -> int:
+    """Return the index of the segment that a station lies in; a boundary belongs to the later one."""
+    for index, segment in enumerate(segments):
+        if station < segment.end:
+            return index
+    return len(segments) - 1
+
+
+def split(segments: Segments, station: float, *, shortest: float = SHORTEST) -> Segments:
+    """Cut the segment at a station into two of the same kind."""
+    index = segment_at(segments, station)
+    segment = segments[index]
+    _refuse_locked(segment, index, "split")
+    if min(station - segment.start, segment.end - station) < shortest:
+        raise InputError(f"a cut at {station:g} m would leave a segment shorter than {shortest:g} m")
+    parts = (replace(segment, end=station), replace(segment, start=station, name=""))
+    return segments[:index] + parts + segments[index + 1 :]
+
+
+def merge(segments: Segments, first: int, last: int) -> Segments:
+    """Make one segment of those from `first` to `last`; it takes kind and name of the longest."""
+    if not 0 <= first < last < len(segments):
+        raise InputError("two or more neighbouring segments are needed to merge")
+    chosen = segments[first : last + 1]
+    for index, segment in enumerate(chosen, first):
+        _refuse_locked(segment, index, "merged")
+    longest = max(chosen, key=lambda segment: segment.length)
+    merged = replace(longest, start=chosen[0].start, end=chosen[-1].end)
+    return (*segments[:first], merged, *segments[last + 1 :])
+
+
+def move_boundary(segments: Segments, boundary: int, station: float, *, shortest: float = SHORTEST) -> Segments:
+    """Move the boundary between segments `boundary` and `boundary + 1` to a station.
+
+    It stops `shortest` before the next boundary on either side, so that no segment vanishes.
+    """
+    if not 0 <= boundary < len(segments) - 1:
+        raise InputError("the line's ends are no boundaries between segments")
+    before, after = segments[boundary], segments[boundary + 1]
+    _refuse_locked(before, boundary, "moved")
+    _refuse_locked(after, boundary + 1, "moved")
+    room = min(shortest, before.length, after.length)
+    station = min(max(station, before.start + room), after.end - room)
+    pair = (replace(before, end=station), replace(after, start=station))
+    return segments[:boundary] + pair + segments[boundary + 2 :]
+
+
+def flip_kind(segments: Segments, index: int) -> Segments:
+    """Turn a straight into a curve, or a curve into a straight."""
+    _refuse_locked(segments[index], index, "changed")
+    kind: Kind = "curve" if segments[index].kind == "straight" else "straight"
+    return _with(segments, index, replace(segments[index], kind=kind))
+
+
+def set_locked(segments: Segments, index: int, *, locked: bool) -> Segments:
+    """Lock a segment against detecting again and against edits, or unlock it."""
+    return _with(segments, index, replace(segments[index], locked=locked))
+
+
+def rename(segments: Segments, index: int, name: str) -> Segments:
+    """Give a segment a name, or take it away with an empty one."""
+    return _with(segments, index, replace(segments[index], name=name.strip()))
+
+
+def keep_locked(detected: Segments, previous: Segments, *, shortest: float = SHORTEST) -> Segments:
+    """Return the detected segments with the locked ones of `previous` laid over them.
+
+    What remains of a detected segment beside a locked one, and is shorter than `shortest`, joins a
+    neighbour that is not locked; between two locked ones it stays.
+    """
+    result = list(detected)
+    for lock in previous:
+        if lock.locked:
+            result = [part for segment in result for part in _without(segment, lock)]
+            result.append(lock)
+            result.sort(key=lambda segment: segment.start)
+    return _join_slivers(result, shortest)
+
+
+def _without(segment: Segment, lock: Segment) -> list[Segment]:
+    """Return the parts of a segment that lie outside a locked one."""
+    if segment.locked or segment.end <= lock.start or segment.start >= lock.end:
+        return [segment]
+    parts = [
+        replace(segment, end=min(segment.end, lock.start)),
+        replace(segment, start=max(segment.start, lock.end)),
+    ]
+    return [part for part in parts if part.length > _SAME_STATION]
+
+
+def _join_slivers(segments: list[Segment], shortest: float) -> Segments:
+    index = 0
+    while index < len(segments):
+        segment = segments[index]
+        free = [i for i in (index - 1, index + 1) if 0 <= i < len(segments) and not segments[i].locked]
+        if segment.locked or segment.length >= shortest or not free:
+            index += 1
+            continue
+        other = max(free, key=lambda i: segments[i].length)
+        segments[other] = replace(
+            segments[other],
+            start=min(segments[other].start, segment.start),
+            end=max(segments[other].end, segment.end),
+        )
+        del segments[index]
+        index = max(index - 1, 0)
+    return tuple(segments)
+
+
+def _with(segments: Segments, index: int, segment: Segment) -> Segments:
+    return (*segments[:index], segment, *segments[index + 1 :])
+
+
+def _refuse_locked(segment: Segment, index: int, verb: str) -> None:
+    if segment.locked:
+        raise InputError(f"segment {index + 1} is locked; unlock it before it is {verb}")

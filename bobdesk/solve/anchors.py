@@ -1,0 +1,100 @@
+"""Anchors: the elevations that a profile is held at, from the start to the end."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from bobdesk.arrays import FloatArray
+from bobdesk.errors import TargetError
+from bobdesk.solve.targets import KnownElevation, Targets
+
+SAME_STATION = 1e-6
+_BEYOND_THE_END = 0.005
+Anchors = tuple[KnownElevation, ...]
+
+
+def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) -> Anchors:
+    """Return the held elevations in running order: the drop at the start, the known ones, 0 at the end.
+
+    A known elevation at the end takes the place of 0; then the lowest point must be known too.
+
+    Parameters
+    ----------
+    targets
+        The targets; their known elevations count in the plan's own scale.
+    length
+        Plan length, m. A station up to 0.5 % beyond it counts as the end.
+    lowest
+        Stations to be held at 0 besides.
+
+    Raises
+    ------
+    TargetError
+        If a known elevation lies outside the line, below the lowest point, or contradicts another.
+    """
+    known = sorted((*targets.known, *(KnownElevation(at, 0.0) for at in lowest)), key=lambda item: item.station)
+    for item in known:
+        _check(item, length)
+    start = KnownElevation(0.0, targets.drop)
+    end = KnownElevation(length, 0.0)
+    inner: list[KnownElevation] = []
+    for item in known:
+        if item.station <= SAME_STATION:
+            _refuse_other(item, start, "the start is at the drop")
+        elif item.station >= length - SAME_STATION:
+            end = replace(item, station=length)
+        elif inner and item.station - inner[-1].station <= SAME_STATION:
+            _refuse_other(item, inner[-1], "two elevations for one station")
+        else:
+            inner.append(item)
+    if end.elevation > end.tolerance and not any(item.elevation <= item.tolerance for item in inner):
+        raise TargetError(
+            f"the end lies {end.elevation:g} m above the lowest point, so say where the lowest point is:"
+            " a known elevation of 0 at its station"
+        )
+    return (start, *inner, end)
+
+
+def stations_of(anchors: Anchors) -> FloatArray:
+    """Return the anchors' stations, (a,), m."""
+    return np.array([anchor.station for anchor in anchors])
+
+
+def elevations_of(anchors: Anchors) -> FloatArray:
+    """Return the anchors' elevations, (a,), m."""
+    return np.array([anchor.elevation for anchor in anchors])
+
+
+def gradients_through(anchors: Anchors, *, scale: float, level_at_lowest: bool) -> FloatArray:
+    """Return the gradient with which the track passes each inner anchor, (a-2,).
+
+    That of the parabola through an anchor and its two neighbours, and never outside the mean
+    gradients of the stretches beside it; 0 at the lowest point of a track that climbs again.
+    """
+    lengths = scale * np.diff(stations_of(anchors))
+    means = -np.diff(elevations_of(anchors)) / lengths
+    through = (means[:-1] * lengths[1:] + means[1:] * lengths[:-1]) / (lengths[1:] + lengths[:-1])
+    if level_at_lowest:
+        through[elevations_of(anchors)[1:-1] == 0] = 0.0
+    return through
+
+
+def _check(item: KnownElevation, length: float) -> None:
+    if not -SAME_STATION <= item.station <= (1 + _BEYOND_THE_END) * length:
+        raise TargetError(
+            f"the elevation known at {item.station:g} m lies outside the line, which is {length:.2f} m long"
+        )
+    if item.elevation + item.tolerance < 0:
+        raise TargetError(
+            f"the elevation at {item.station:g} m is {item.elevation:g} m, below the lowest point;"
+            " elevations count from the lowest point, so that the start is at the drop"
+        )
+
+
+def _refuse_other(item: KnownElevation, other: KnownElevation, why: str) -> None:
+    if abs(item.elevation - other.elevation) > item.tolerance + other.tolerance + 1e-9:
+        raise TargetError(
+            f"the elevation {item.elevation:g} m at {item.station:g} m contradicts {other.elevation:g} m: {why}"
+        )

@@ -1,0 +1,168 @@
+"""The exact projection onto limits, height difference, known elevations and a mean gradient."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bobdesk.arrays import FloatArray, IntArray, frozen
+from bobdesk.errors import TargetError
+
+_STEPS = 200
+_CLOSE = 1e-14
+_BARELY = 1e-7
+
+
+@dataclass(frozen=True, eq=False)
+class FeasibleSet:
+    """The set of variables {v : low <= v <= high, the sum of weights * v over each stretch = falls}.
+
+    Attributes
+    ----------
+    weights : (p,)
+        Positive weight of each piece in its stretch.
+    stretch_of : (p,)
+        Index of the stretch between known elevations that each piece lies in, ascending from 0.
+    falls : (m,)
+        What the weighted sum over each stretch must be, m.
+    low, high : (p,)
+        Limits.
+    mean_weights : (p,) or None
+        Weights of a mean over all pieces that must be `mean`: the only equation that ties the
+        stretches together.
+    mean
+        Its value.
+    """
+
+    weights: FloatArray
+    stretch_of: IntArray
+    falls: FloatArray
+    low: FloatArray
+    high: FloatArray
+    mean_weights: FloatArray | None = None
+    mean: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("weights", "falls", "low", "high"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+
+    def reach(self) -> tuple[FloatArray, FloatArray]:
+        """Return the smallest and the largest fall that the limits allow over each stretch, (m,), m."""
+        count = len(self.falls)
+        lowest: FloatArray = np.bincount(self.stretch_of, self.weights * self.low, count).astype(np.float64)
+        highest: FloatArray = np.bincount(self.stretch_of, self.weights * self.high, count).astype(np.float64)
+        return lowest, highest
+
+
+class Projection:
+    """The nearest point of a feasible set, by Euclidean distance.
+
+    The known elevations part the pieces into stretches that do not share any, so that the problem
+    falls apart into one continuous knapsack each: v = clip(w + multiplier * weights, low, high),
+    where the multiplier is the root of a monotone, piecewise linear function. All stretches are
+    solved at once by Newton's method inside a bracket. A mean over all pieces adds one multiplier
+    around them, the root of a monotone function again.
+    """
+
+    def __init__(self, feasible: FeasibleSet) -> None:
+        self._set = feasible
+        self._starts = np.flatnonzero(np.diff(feasible.stretch_of, prepend=-1))
+        self._single = len(feasible.falls) == 1
+        self._squares = feasible.weights**2
+        self._to_low, self._to_high = feasible.low / feasible.weights, feasible.high / feasible.weights
+        self._mean_multiplier = 0.0
+        lowest, highest = feasible.reach()
+        slack = 1e-9 * np.maximum(1.0, np.abs(feasible.falls))
+        if (feasible.falls < lowest - slack).any() or (feasible.falls > highest + slack).any():
+            raise TargetError("the limits, the drop and the known elevations contradict each other")
+        self._falls = np.clip(feasible.falls, lowest, highest)
+
+    def __call__(self, point: FloatArray) -> FloatArray:
+        """Return the nearest point of the set to `point`, (p,).
+
+        Raises
+        ------
+        TargetError
+            If the set is empty because of the mean.
+        """
+        if self._set.mean_weights is None:
+            return self._knapsacks(point)
+        return self._with_mean(point, self._set.mean_weights)
+
+    def _sum(self, values: FloatArray) -> FloatArray:
+        return np.add.reduceat(values, self._starts)
+
+    def _knapsacks(self, point: FloatArray) -> FloatArray:
+        weights, low, high = self._set.weights, self._set.low, self._set.high
+        stretch = self._set.stretch_of
+        multiplier = (self._falls - self._sum(weights * point)) / self._sum(self._squares)
+        scaled = point / weights
+        lower = np.minimum.reduceat(self._to_low - scaled, self._starts)
+        upper = np.maximum.reduceat(self._to_high - scaled, self._starts)
+        close = _CLOSE * (1.0 + np.abs(self._falls)) + 1e-16 * float(np.abs(point).max())
+        for _ in range(_STEPS):
+            unclipped = point + (multiplier[0] if self._single else multiplier[stretch]) * weights
+            projected = np.minimum(np.maximum(unclipped, low), high)
+            residual = self._falls - self._sum(weights * projected)
+            off = np.abs(residual) > close
+            if not off.any():
+                return projected
+            slope = self._sum(np.where(projected == unclipped, self._squares, 0.0))
+            np.copyto(lower, multiplier, where=residual > 0)
+            np.copyto(upper, multiplier, where=residual < 0)
+            newton = multiplier + residual / np.maximum(slope, 1e-300)
+            inside = (newton > lower) & (newton < upper)
+            following = np.where(off, np.where(inside, newton, 0.5 * (lower + upper)), multiplier)
+            if (following == multiplier).all():
+                break
+            multiplier = following
+        return self._polished(projected)
+
+    def _polished(self, projected: FloatArray) -> FloatArray:
+        """Take what rounding left in the equations out of the pieces that are free to move."""
+        weights, low, high = self._set.weights, self._set.low, self._set.high
+        for _ in range(4):
+            residual = self._falls - self._sum(weights * projected)
+            room = np.where(residual[self._set.stretch_of] > 0, high - projected, projected - low)
+            share = weights * np.minimum(room, 1.0) * weights
+            power = np.maximum(self._sum(share), 1e-300)
+            moved = projected + (residual / power)[self._set.stretch_of] * share / weights
+            projected = np.minimum(np.maximum(moved, low), high)
+        return projected
+
+    def _with_mean(self, point: FloatArray, mean_weights: FloatArray) -> FloatArray:
+        """Find the multiplier of the mean: bracket it by doubling, then regula falsi (Illinois)."""
+
+        def over(multiplier: float) -> tuple[float, FloatArray]:
+            projected = self._knapsacks(point + multiplier * mean_weights)
+            return float(mean_weights @ projected) - self._set.mean, projected
+
+        at = self._mean_multiplier
+        excess, projected = over(at)
+        close = 1e-13 * max(1.0, abs(self._set.mean))
+        if abs(excess) <= close:
+            return projected
+        width = max(1.0, abs(at)) * (-1.0 if excess > 0 else 1.0)
+        for _ in range(80):
+            other = at + width
+            other_excess, projected = over(other)
+            if other_excess * excess <= 0:
+                break
+            width *= 2
+        else:
+            if abs(other_excess) <= _BARELY:
+                return projected
+            raise TargetError("the mean of the segments' gradients cannot be met within limits and elevations")
+        for _ in range(_STEPS):
+            if abs(other_excess) <= close or abs(other - at) <= 1e-16 * abs(other):
+                break
+            middle = other - other_excess * (other - at) / (other_excess - excess)
+            middle_excess, projected = over(middle)
+            if middle_excess * other_excess < 0:
+                at, excess = other, other_excess
+            else:
+                excess *= 0.5
+            other, other_excess = middle, middle_excess
+        self._mean_multiplier = other
+        return projected

@@ -1,0 +1,140 @@
+"""The published method, to the letter of the paper's Section 2: the baseline to compare with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from bobdesk.alignment.centreline import Centreline
+from bobdesk.alignment.segments import Segments
+from bobdesk.arrays import FloatArray
+from bobdesk.solve.iterates import Iterate, Run, Solution
+from bobdesk.solve.objective import PublishedObjective, Weights
+from bobdesk.solve.profile import Profile, make_profile
+from bobdesk.solve.targets import Targets
+
+
+@dataclass(frozen=True)
+class PublishedSettings:
+    """What the paper names, with its values.
+
+    Attributes
+    ----------
+    weights
+        a, b, c, d.
+    rate
+        Learning rate η.
+    threshold
+        δ: the end is where J changes by less.
+    first_derivative
+        The derivative that the first update assigns, before there are two iterates to difference.
+    max_iterations
+        The paper has no limit; this one is only ever reached with a tiny rate.
+    """
+
+    weights: Weights = Weights()
+    rate: float = 1e-5
+    threshold: float = 1e-3
+    first_derivative: float = -100.0
+    max_iterations: int = 200_000
+
+
+def published(
+    centreline: Centreline, segments: Segments, targets: Targets, settings: PublishedSettings | None = None
+) -> Run:
+    """Reconstruct the gradients as published; a generator of iterates that returns the solution.
+
+    The unknowns are the height differences h of the segments. Each iteration projects them so that
+    every gradient h / D lies within the limits, evaluates J, and moves each h against the change of
+    J between the last two iterates divided by its own change (Eq. 6); the end is where J changes by
+    less than δ. With an unknown scale the factor f is updated in the same way at the end of each
+    iteration, and x and y are scaled at the start of the next (Eq. 7 and 9). The paper does not say
+    where it starts: here with equal height differences of all segments, within the limits.
+
+    Known elevations have no place in this method and are left out.
+
+    References
+    ----------
+    Z. Chen et al., Projected gradient descent-based optimization of 3D bobsleigh track centerlines
+    from 2D data for simulation, arXiv 2507.08393, Section 2.
+    """
+    settings = settings or PublishedSettings()
+    profile = make_profile(centreline, segments)
+    objective = PublishedObjective(profile, targets, settings.weights)
+    lengths = profile.piece_lengths
+
+    scale, scale_before = 1.0, 1.0
+    heights = np.full(len(lengths), targets.drop / len(lengths))
+    heights = _within_limits(heights, lengths, targets)
+    value = objective.value(heights / lengths)
+    yield _iterate(0, heights, profile, scale, value, objective, targets)
+    before, heights = heights, heights - settings.rate * settings.first_derivative
+    if targets.unknown_scale:
+        scale = scale_before - settings.rate * settings.first_derivative
+
+    status, message = 1, f"Stopped after {settings.max_iterations:,} iterations."
+    number = 0
+    for number in range(1, settings.max_iterations + 1):
+        plan = scale * lengths
+        heights = _within_limits(heights, plan, targets)
+        value_before, value = value, objective.value(heights / plan, scale)
+        yield _iterate(number, heights, profile, scale, value, objective, targets)
+        change = value - value_before
+        if abs(change) < settings.threshold:
+            status, message = 0, f"J changed by less than {settings.threshold:g}."
+            break
+        following = heights - settings.rate * _quotient(change, heights - before)
+        before, heights = heights, following
+        if targets.unknown_scale:
+            next_scale = scale - settings.rate * float(_quotient(change, np.array(scale - scale_before)))
+            scale_before, scale = scale, next_scale
+    return Solution(
+        method="published",
+        profile=profile,
+        gradients=heights / (scale * lengths),
+        edge_gradients=np.zeros(max(len(lengths) - 1, 1)),
+        scale=scale,
+        start_elevation=targets.drop,
+        status=status,
+        message=message,
+        nit=number,
+        nfev=objective.nfev,
+        njev=0,
+        objective=value,
+        optimality=float("nan"),
+    )
+
+
+def _within_limits(heights: FloatArray, lengths: FloatArray, targets: Targets) -> FloatArray:
+    """Project: a height difference whose gradient is out of the limits is put on the limit."""
+    return np.clip(heights, targets.min_gradient * lengths, targets.max_gradient * lengths)
+
+
+def _quotient(change: float, moved: FloatArray) -> FloatArray:
+    """Return the derivative by differences of two iterates; 0 for what did not move."""
+    return np.divide(change, moved, out=np.zeros_like(moved), where=moved != 0)
+
+
+def _iterate(
+    number: int,
+    heights: FloatArray,
+    profile: Profile,
+    scale: float,
+    value: float,
+    objective: PublishedObjective,
+    targets: Targets,
+) -> Iterate:
+    gradients = heights / (scale * profile.piece_lengths)
+    terms = objective.terms(gradients, scale)
+    return Iterate(
+        number=number,
+        stage="published",
+        gradients=gradients,
+        objective=value,
+        length=targets.length - terms.length,
+        drop=targets.drop - terms.height,
+        optimality=float("nan"),
+        step=float("nan"),
+        scale=scale,
+    )
