@@ -6,6 +6,7 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import TypeVar
 
+Step = TypeVar("Step")
 Result = TypeVar("Result")
 
 
@@ -17,13 +18,13 @@ class Progress:
     doing: str
 
 
-def finish(job: Generator[Progress, None, Result], report: Callable[[Progress], None] | None = None) -> Result:
-    """Pull `job` to its end and return its result; `report` is called with each progress."""
+def finish(job: Generator[Step, None, Result], report: Callable[[Step], None] | None = None) -> Result:
+    """Pull `job` to its end and return its result; `report` is called with each thing it yields."""
     while True:
         try:
-            progress = next(job)
+            step = next(job)
         except StopIteration as end:
             result: Result = end.value
             return result
         if report is not None:
-            report(progress)
+            report(step)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -33,7 +33,7 @@ class PublishedSettings:
         The paper has no limit; this one is only ever reached with a tiny rate.
     """
 
-    weights: Weights = Weights()
+    weights: Weights = field(default_factory=Weights)
     rate: float = 1e-5
     threshold: float = 1e-3
     first_derivative: float = -100.0

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal
+from dataclasses import dataclass, field
+from typing import Any, Literal
 
 import numpy as np
-from scipy.optimize import Bounds, OptimizeResult, differential_evolution, minimize
+from scipy.optimize import Bounds, differential_evolution, minimize
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
@@ -20,6 +20,8 @@ from bobdesk.solve.profile import falls_between
 from bobdesk.solve.targets import Targets
 
 SecondOpinion = Literal["lbfgsb", "slsqp", "de"]
+_SCIPY_NAMES = {"lbfgsb": "L-BFGS-B", "slsqp": "SLSQP"}
+_MOST_GENERATIONS = 300
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,7 @@ class SecondOpinionSettings:
         Of the differential evolution.
     """
 
-    weights: Weights = Weights()
+    weights: Weights = field(default_factory=Weights)
     max_iterations: int = 1000
     numeric_derivatives: bool = False
     seed: int = 1
@@ -68,81 +70,78 @@ def second_opinion(
     objective = PublishedObjective(problem.profile, targets, settings.weights)
     count = len(problem.piece_lengths)
     start = np.clip(np.full(count, targets.drop / problem.profile.length), targets.min_gradient, targets.max_gradient)
-    if method == "lbfgsb":
-        result = minimize(
-            objective.value_and_derivative,
-            start,
-            jac=True,
-            bounds=_bounds(targets, count),
-            method="L-BFGS-B",
-            options={"maxiter": settings.max_iterations, "ftol": 1e-16, "gtol": 1e-10},
-        )
-    elif method == "slsqp":
-        result = _slsqp(problem, objective, start, settings)
-    else:
+    path: list[FloatArray] = []
+    # SciPy's own types do not know that a function may return its derivative beside its value.
+    options: dict[str, Any] = {"callback": lambda intermediate_result: path.append(intermediate_result.x.copy())}
+    bounds = _bounds(targets, count)
+    result: Any
+    if method == "de":
+        generations = min(settings.max_iterations, _MOST_GENERATIONS)
         result = differential_evolution(
             objective.value,
-            _bounds(targets, count),
-            maxiter=min(settings.max_iterations, 300),
+            bounds,
+            maxiter=generations,
             popsize=8,
             rng=settings.seed,
             x0=start,
             polish=False,
+            **options,
         )
-    return (yield from _solution(problem, objective, result, method))
+    else:
+        exact = not settings.numeric_derivatives
+        options |= {"jac": exact, "bounds": bounds, "method": _SCIPY_NAMES[method]}
+        options["options"] = {"maxiter": settings.max_iterations, "ftol": 1e-16}
+        if method == "slsqp":
+            options["constraints"] = [_equations(problem)]
+        result = minimize(objective.value_and_derivative if exact else objective.value, start, **options)
+    return (yield from _solution(problem, objective, result, path, method))
 
 
 def _bounds(targets: Targets, count: int) -> Bounds:
     return Bounds(np.full(count, targets.min_gradient), np.full(count, targets.max_gradient))
 
 
-def _slsqp(
-    problem: Problem, objective: PublishedObjective, start: FloatArray, settings: SecondOpinionSettings
-) -> OptimizeResult:
+def _equations(problem: Problem) -> dict[str, Any]:
+    """Return drop and known elevations as SciPy's equations."""
     rows = falls_between(problem.profile, stations_of(problem.anchors)).by_piece.toarray()
     wanted = -np.diff(elevations_of(problem.anchors))
-    equations = {"type": "eq", "fun": lambda g: rows @ g - wanted, "jac": lambda g: rows}
-    exact = not settings.numeric_derivatives
-    return minimize(
-        objective.value_and_derivative if exact else objective.value,
-        start,
-        jac=exact,
-        bounds=_bounds(problem.targets, len(start)),
-        constraints=[equations],
-        method="SLSQP",
-        options={"maxiter": settings.max_iterations, "ftol": 1e-14},
-    )
+    return {"type": "eq", "fun": lambda gradients: rows @ gradients - wanted, "jac": lambda gradients: rows}
 
 
-def _solution(problem: Problem, objective: PublishedObjective, result: OptimizeResult, method: SecondOpinion) -> Run:
-    gradients = np.clip(result.x, problem.targets.min_gradient, problem.targets.max_gradient)
-    value, derivative = objective.value_and_derivative(gradients)
-    terms = objective.terms(gradients)
-    limited = np.clip(gradients - derivative, problem.targets.min_gradient, problem.targets.max_gradient)
-    optimality = float(np.abs(limited - gradients).max())
-    number = int(result.nit)
-    yield Iterate(
-        number=0,
-        stage=method,
-        gradients=gradients,
-        objective=value,
-        length=problem.targets.length - terms.length,
-        drop=problem.targets.drop - terms.height,
-        optimality=optimality,
-        step=float("nan"),
-    )
+def _solution(
+    problem: Problem, objective: PublishedObjective, result: Any, path: list[FloatArray], method: SecondOpinion
+) -> Run:
+    targets = problem.targets
+    evaluations, derivatives = objective.nfev, objective.njev
+    gradients = np.clip(result.x, targets.min_gradient, targets.max_gradient)
+    optimality = float("nan")
+    for number, at in enumerate([*path, gradients]):
+        value, derivative = objective.value_and_derivative(at)
+        terms = objective.terms(at)
+        limited = np.clip(at - derivative, targets.min_gradient, targets.max_gradient)
+        optimality = float(np.abs(limited - at).max())
+        yield Iterate(
+            number=number,
+            stage=method,
+            gradients=at,
+            objective=value,
+            length=targets.length - terms.length,
+            drop=targets.drop - terms.height,
+            optimality=optimality,
+            step=float("nan"),
+        )
     return Solution(
         method=method,
         profile=problem.profile,
         gradients=gradients,
         edge_gradients=problem.edge_gradients,
         scale=1.0,
-        start_elevation=problem.targets.drop,
+        start_elevation=targets.drop,
         status=0 if result.success else 1,
         message=str(result.message).strip().rstrip(".") + ".",
-        nit=number,
-        nfev=objective.nfev - 1,
-        njev=max(objective.njev - 1, 0),
-        objective=value,
+        nit=int(result.nit),
+        nfev=evaluations,
+        njev=derivatives,
+        objective=objective.value(gradients),
         optimality=optimality,
     )

@@ -1,0 +1,56 @@
+"""Segments from a table as `bobdesk segment` writes it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from bobdesk.alignment.segments import Kind, Segment, Segments, check_segments
+from bobdesk.errors import InputError
+from bobdesk.files.importers.table import read_table
+
+_NEAR_END = 0.002
+
+
+def read_segments(path: Path, *, length: float) -> Segments:
+    """Read segments with the columns kind, from_m and to_m, for a line of `length` metres.
+
+    The last segment may end up to 0.2 % beside the line's end, since a line that is fitted anew is
+    rarely as long to the millimetre; it is moved there.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be used or the segments do not cover the line.
+    """
+    table = read_table(path)
+    header = table.header or []
+    missing = [name for name in ("kind", "from_m", "to_m") if name not in header]
+    if missing:
+        raise InputError(f"{path}: there is no column {' and '.join(missing)}; a list of segments needs all three")
+    kind = header.index("kind")
+    starts = table.column(header.index("from_m"), "from_m")
+    ends = table.column(header.index("to_m"), "to_m")
+    kinds: list[Kind] = []
+    for row, cells in enumerate(table.rows):
+        word = cells[kind].lower() if kind < len(cells) else ""
+        if word not in ("straight", "curve"):
+            raise InputError(
+                f"{path}, line {table.lines[row]}, column kind holds '{word[:40]}'; it must be straight or curve"
+            )
+        kinds.append("straight" if word == "straight" else "curve")
+    segments = [Segment(kind, float(start), float(end)) for kind, start, end in zip(kinds, starts, ends, strict=True)]
+    if abs(segments[-1].end - length) <= _NEAR_END * length and segments[-1].start < length:
+        segments[-1] = Segment(segments[-1].kind, segments[-1].start, length)
+    try:
+        return check_segments(_joined(segments), length=length)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from error
+
+
+def _joined(segments: list[Segment]) -> list[Segment]:
+    """Close the gaps of up to a millimetre that rounding leaves between neighbours."""
+    result = segments[:1]
+    for segment in segments[1:]:
+        start = result[-1].end if abs(segment.start - result[-1].end) <= 1.5e-3 else segment.start
+        result.append(Segment(segment.kind, start, segment.end))
+    return result

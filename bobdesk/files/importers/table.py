@@ -1,0 +1,123 @@
+"""A table of numbers from a text file, with errors that name line and column."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from bobdesk.arrays import FloatArray
+from bobdesk.errors import InputError
+from bobdesk.files.atomic import reason
+from bobdesk.files.importers.dialect import Dialect, cells_of, guess_dialect, number
+from bobdesk.files.importers.text import decode_text
+from bobdesk.plan.polyline import MOST_VERTICES
+
+_LARGEST_FILE = 400_000_000
+_COMMENT = "#"
+
+
+@dataclass(frozen=True, eq=False)
+class Table:
+    """Rows of text cells with what is needed to say where an error is.
+
+    Attributes
+    ----------
+    name
+        Of the file.
+    header
+        Column names in lower case, or None if the first row is numbers already.
+    rows
+        Cells, without comments and empty lines.
+    lines
+        Line number of each row in the file, from 1.
+    dialect
+        Separator and decimal sign.
+    """
+
+    name: str
+    header: list[str] | None
+    rows: list[list[str]]
+    lines: list[int]
+    dialect: Dialect
+
+    def column(self, index: int, title: str) -> FloatArray:
+        """Return a column of numbers, (n,).
+
+        Raises
+        ------
+        InputError
+            At the first cell that is no finite number; the sentence names its line and column.
+        """
+        values = np.empty(len(self.rows))
+        for row, cells in enumerate(self.rows):
+            if index >= len(cells):
+                raise InputError(f"{self.name}, line {self.lines[row]}: there is no column {title}")
+            values[row] = number(cells[index], self.dialect)
+            if not math.isfinite(values[row]):
+                shown = cells[index][:40]
+                fault = "is empty" if not shown else f"holds '{shown}', which is not a finite number"
+                raise InputError(f"{self.name}, line {self.lines[row]}, column {title} {fault}")
+        return values
+
+
+def read_bytes(path: Path) -> bytes:
+    """Read a file.
+
+    Raises
+    ------
+    InputError
+        If it is missing, a folder, unreadable, empty or too large.
+    """
+    try:
+        size = path.stat().st_size
+        if path.is_dir():
+            raise InputError(f"{path}: this is a folder, not a file")
+        if size > _LARGEST_FILE:
+            raise InputError(f"{path}: the file is {size / 1e6:,.0f} MB large; the most that is read is 400 MB")
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such file") from None
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {reason(error)}") from error
+    if not data.strip():
+        raise InputError(f"{path}: the file is empty")
+    return data
+
+
+def read_table(path: Path) -> Table:
+    """Read a text file as a table; separator, decimal sign and encoding are found out.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read, is no text, or has too many rows.
+    """
+    data = read_bytes(path)
+    count = data.count(b"\n")
+    if count > MOST_VERTICES + 1000:
+        raise InputError(
+            f"{path}, line {MOST_VERTICES + 2:,}: the file goes on to line {count:,}, but the most that can be used"
+            f" is {MOST_VERTICES:,} points; thin it out first"
+        )
+    text = decode_text(data, name=str(path))
+    numbered = [
+        (position, line)
+        for position, line in enumerate(text.splitlines(), 1)
+        if line.strip() and not line.lstrip().startswith(_COMMENT)
+    ]
+    if not numbered:
+        raise InputError(f"{path}: the file holds no rows")
+    lines = [line for _, line in numbered]
+    dialect = guess_dialect(lines[1:] or lines)
+    rows = [cells_of(line, dialect) for line in lines]
+    positions = [position for position, _ in numbered]
+    header: list[str] | None = None
+    if not all(math.isfinite(number(cell, dialect)) for cell in rows[0] if cell):
+        header = [cell.lower() for cell in rows[0]]
+        rows, positions = rows[1:], positions[1:]
+    if not rows:
+        raise InputError(f"{path}: there is a header but no row below it")
+    return Table(str(path), header, rows, positions, dialect)

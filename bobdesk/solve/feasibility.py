@@ -1,0 +1,142 @@
+"""Before a run: can length, drop, limits and known elevations be met together, and what to doubt."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from bobdesk.alignment.centreline import Centreline
+from bobdesk.alignment.segments import Segments
+from bobdesk.errors import TargetError
+from bobdesk.progress import finish
+from bobdesk.solve.pgd import find_scale, reach
+from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.targets import Targets
+
+_SAME_FIGURE = 0.02
+_DIGITISING = 1e-3
+
+
+@dataclass(frozen=True)
+class Feasibility:
+    """Whether the targets can be met together with this plan.
+
+    Attributes
+    ----------
+    feasible
+        True if all can be met.
+    sentence
+        What a person should know, with numbers.
+    reachable_length
+        Shortest and longest 3D length of this plan under drop, limits and known elevations, m; the
+        longest is where gradients begin to swing implausibly. None if no profile meets those.
+    scale
+        The factor on the plan at which the smoothest profile has the wanted length, or None.
+    plan_length
+        Length in plan, m.
+    """
+
+    feasible: bool
+    sentence: str
+    reachable_length: tuple[float, float] | None
+    scale: float | None
+    plan_length: float
+
+
+def feasibility(
+    centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings | None = None
+) -> Feasibility:
+    """Find out whether the targets can be met together; takes about as long as a run."""
+    settings = settings or PgdSettings()
+    plan = centreline.length
+    scale = 1.0
+    agreeing = _scale_that_agrees(centreline, segments, targets, settings)
+    if targets.unknown_scale:
+        if agreeing is None:
+            return Feasibility(False, _without_scale(centreline, segments, targets, settings), None, None, plan)
+        scale = agreeing
+    try:
+        shortest, longest = finish(reach(centreline, segments, targets, settings, scale=scale))
+    except TargetError as error:
+        return Feasibility(False, _as_sentence(str(error)), None, agreeing, plan)
+    within = bool(shortest * (1 - 1e-7) <= targets.length <= longest * (1 + 1e-7))
+    feasible = within or targets.unknown_scale
+    if targets.unknown_scale:
+        sentence = (
+            f"With a scale factor of {scale:.4f} on the plan all figures can be met: it is then"
+            f" {scale * plan:.2f} m long in plan."
+        )
+    elif within:
+        sentence = (
+            "These figures can all be met: with this plan the length can lie between"
+            f" {shortest:.2f} m and {longest:.2f} m."
+        )
+    elif targets.length < shortest:
+        sentence = _too_short(targets, plan, shortest, agreeing)
+    else:
+        sentence = _too_long(targets, settings, longest, agreeing)
+    sentence += _about_mean_gradient(targets, scale * plan)
+    return Feasibility(feasible, sentence, (shortest, longest), agreeing, plan)
+
+
+def _scale_that_agrees(
+    centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings
+) -> float | None:
+    try:
+        return float(finish(find_scale(centreline, segments, replace(targets, unknown_scale=True), settings)))
+    except TargetError:
+        return None
+
+
+def _without_scale(centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings) -> str:
+    """Say why no scale could be found."""
+    try:
+        finish(find_scale(centreline, segments, targets, settings))
+    except TargetError as error:
+        return _as_sentence(str(error))
+    return "No scale of this plan meets length and drop."
+
+
+def _too_short(targets: Targets, plan: float, shortest: float, scale: float | None) -> str:
+    over = shortest - targets.length
+    small = " That is less than digitising a plan is often off by." if over < _DIGITISING * plan else ""
+    held = f"with a drop of {targets.drop:.2f} m" + (" and the known elevations" if targets.known else "")
+    return (
+        f"No 3D line of this plan is as short as {targets.length:.2f} m: {held} the shortest is {shortest:.2f} m,"
+        f" {over:.2f} m ({100 * over / targets.length:.2f} %) more, since the plan alone is {plan:.2f} m long."
+        f" Doubt the length, which may be measured in plan or be rounded, {_or_scale(scale)}.{small}"
+    )
+
+
+def _too_long(targets: Targets, settings: PgdSettings, longest: float, scale: float | None) -> str:
+    under = targets.length - longest
+    return (
+        f"No plausible 3D line of this plan is as long as {targets.length:.2f} m: within the limits, and with"
+        f" gradients that swing by at most {100 * settings.plausible:g} % about the smoothest profile, the longest"
+        f" is {longest:.2f} m, {under:.2f} m ({100 * under / targets.length:.2f} %) less."
+        f" Doubt the length, which may count a start or braking stretch that the plan leaves out, {_or_scale(scale)}."
+    )
+
+
+def _or_scale(scale: float | None) -> str:
+    if scale is None:
+        return "or the drop"
+    return f"or the plan's scale, which a factor of {scale:.4f} would make agree"
+
+
+def _about_mean_gradient(targets: Targets, plan: float) -> str:
+    """Compare a mean gradient that follows from other figures with what follows."""
+    if targets.mean_gradient is None or targets.mean_gradient_is == "segments":
+        return ""
+    by_length = targets.mean_gradient_is == "drop-per-length"
+    follows = targets.drop / (targets.length if by_length else plan)
+    if abs(targets.mean_gradient / follows - 1) <= _SAME_FIGURE:
+        return ""
+    what = "drop / length" if by_length else "drop / plan length"
+    return (
+        f" The mean gradient of {100 * targets.mean_gradient:.2f} % does not follow from the other figures:"
+        f" {what} is {100 * follows:.2f} %; one of the three is wrong, or it is defined otherwise."
+    )
+
+
+def _as_sentence(text: str) -> str:
+    return text[0].upper() + text[1:] + ("" if text.endswith(".") else ".")

@@ -1,0 +1,257 @@
+"""The stages of the recommended method on one problem: smoothest, shortest, and lengthened profile."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from bobdesk.arrays import FloatArray
+from bobdesk.solve.iterates import Iterate
+from bobdesk.solve.problem import Problem
+from bobdesk.solve.projection import Projection
+from bobdesk.solve.smoothness import ChangeToLength, Smoothness, smoothest_without_limits
+from bobdesk.solve.spectral_gradient import Descent, DescentSettings, descend
+
+_ROUNDS_OF_LENGTH = 30
+_FIRST_SWING = 0.03
+_OVERSHOOT = 1.05
+_BARELY_PLAUSIBLE = 1.02
+_STEPS_A_ROUND = 400
+LENGTH_TOLERANCE = 1e-8
+_MET = 1e-6
+
+
+@dataclass(frozen=True)
+class PgdSettings:
+    """What the user can set of the recommended method.
+
+    Attributes
+    ----------
+    meet_length
+        Meet the length (stage two), or leave the smoothest profile.
+    spread
+        Weight of the fourth power in stage two, m²: larger spreads the change more evenly.
+    plausible
+        Largest root mean square of the change of gradient in stage two. A length that asks for
+        more is met only as far as that.
+    transition
+        Length of the vertical transitions at gradient breaks, m; 0 for kinks.
+    longest_piece
+        Longer segments are divided into equal pieces, m: an even gradient over 100 m and more is
+        not what tracks have. (At most some 300 divisions a line.)
+    tolerance
+        On the optimality measure in stage one.
+    max_iterations
+        Of each descent.
+    """
+
+    meet_length: bool = True
+    spread: float = 1e6
+    plausible: float = 0.06
+    transition: float = 8.0
+    longest_piece: float = 40.0
+    tolerance: float = 1e-8
+    max_iterations: int = 5000
+
+
+@dataclass
+class Tally:
+    """Counts that run through all stages."""
+
+    nit: int = 0
+    nfev: int = 0
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What the two stages of one problem end with: variables in v, and how they ended."""
+
+    v: FloatArray
+    smoothest: FloatArray
+    objective: float
+    optimality: float
+    met: bool
+    at_plausible_edge: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Reach:
+    """Shortest and longest plausible length, m, with their profiles in the solvers' variables."""
+
+    low: float
+    high: float
+    shortest: FloatArray
+    longest: FloatArray
+
+
+def solve_stages(
+    problem: Problem, settings: PgdSettings, tally: Tally | None = None
+) -> Generator[Iterate, None, Result]:
+    """Run both stages on a problem whose scale is known."""
+    tally = tally or Tally()
+    project = Projection(problem.feasible_set)
+    first = yield from smoothest_profile(problem, project, settings, tally)
+    smoothest = problem.gradients(first.v)
+    length = problem.length_of(smoothest)[0]
+    target = problem.targets.length
+    close = LENGTH_TOLERANCE * target
+    if not settings.meet_length or abs(length - target) <= close:
+        met = abs(length - target) <= _MET * target
+        return Result(first.v, smoothest, first.objective, first.optimality, met, at_plausible_edge=False)
+    if length > target:
+        shortest = yield from _shortest(problem, project, first.v, settings, tally)
+        v = _between(problem, shortest.v, first.v, target)
+        met = abs(problem.length_of(problem.gradients(v))[0] - target) <= _MET * target
+        return Result(v, smoothest, first.objective, first.optimality, met, at_plausible_edge=False)
+    return (yield from _lengthened(problem, project, first, settings, tally, target))
+
+
+def smoothest_profile(
+    problem: Problem, project: Projection, settings: PgdSettings, tally: Tally
+) -> Generator[Iterate, None, Descent]:
+    """Stage one: the profile whose gradient changes least between neighbouring pieces."""
+    descent = DescentSettings(settings.tolerance, settings.max_iterations)
+    objective = Smoothness(problem)
+    return (
+        yield from report(
+            problem, "smoothest profile", descend(objective, smoothest_without_limits(problem), project, descent), tally
+        )
+    )
+
+
+def _shortest(
+    problem: Problem, project: Projection, start: FloatArray, settings: PgdSettings, tally: Tally
+) -> Generator[Iterate, None, Descent]:
+    """Descend to the shortest line; the length is convex in the gradients."""
+
+    def length(v: FloatArray) -> tuple[float, FloatArray]:
+        value, derivative = problem.length_of(problem.gradients(v))
+        return value, derivative / problem.roots
+
+    descent = DescentSettings(1e-7, settings.max_iterations)
+    return (yield from report(problem, "shortest line", descend(length, start, project, descent), tally))
+
+
+def _between(problem: Problem, shorter: FloatArray, longer: FloatArray, target: float) -> FloatArray:
+    """Return the profile between two, both feasible, that has the wanted length, or the shorter one."""
+
+    def excess(share: float) -> float:
+        return problem.length_of(problem.gradients(shorter + share * (longer - shorter)))[0] - target
+
+    if excess(0.0) >= 0:
+        return shorter
+    share = float(brentq(excess, 0.0, 1.0, xtol=1e-14))
+    return shorter + share * (longer - shorter)
+
+
+def _lengthened(
+    problem: Problem,
+    project: Projection,
+    first: Descent,
+    settings: PgdSettings,
+    tally: Tally,
+    target: float,
+) -> Generator[Iterate, None, Result]:
+    """Change the smoothest profile as little as meets the length; both ways round, the better one."""
+    smoothest = problem.gradients(first.v)
+    pieces = len(smoothest)
+    best: tuple[float, Descent, float] | None = None
+    for sign in (1.0, -1.0):
+        objective = ChangeToLength(problem, smoothest, settings.spread, target)
+        start = first.v.copy()
+        start[:pieces] += sign * _FIRST_SWING * (-1.0) ** np.arange(pieces) * problem.roots
+        last = yield from _meet(problem, project, objective, start, settings, tally, target)
+        excess = objective.excess(last.v)
+        rank = objective.change(last.v) + 1e3 * max(0.0, abs(excess) - _MET * target)
+        if best is None or rank < best[0]:
+            best = (rank, last, excess)
+    assert best is not None
+    _, last, excess = best
+    swing = swing_of(problem, last.v, smoothest)
+    met = abs(excess) <= _MET * target
+    if swing <= _BARELY_PLAUSIBLE * settings.plausible:
+        return Result(last.v, smoothest, last.objective, last.optimality, met, at_plausible_edge=False)
+    # The feasible set is convex: a point between the two profiles keeps all that both keep.
+    v = first.v + settings.plausible / swing * (last.v - first.v)
+    return Result(v, smoothest, last.objective, last.optimality, met=False, at_plausible_edge=True)
+
+
+def _meet(
+    problem: Problem,
+    project: Projection,
+    objective: ChangeToLength,
+    start: FloatArray,
+    settings: PgdSettings,
+    tally: Tally,
+    target: float,
+) -> Generator[Iterate, None, Descent]:
+    """Augmented Lagrangian: descend, move the multiplier by the excess, until the length is met."""
+    tolerance, before = 1e-2, math.inf
+    last: Descent | None = None
+    for _ in range(_ROUNDS_OF_LENGTH):
+        descent = DescentSettings(tolerance, min(settings.max_iterations, _STEPS_A_ROUND))
+        steps = descend(objective, start if last is None else last.v, project, descent)
+        last = yield from report(problem, "length", steps, tally)
+        excess = objective.excess(last.v)
+        objective.multiplier += objective.penalty * excess
+        if abs(excess) <= LENGTH_TOLERANCE * target and tolerance <= 1e-4:
+            break
+        if abs(excess) > 0.25 * before:
+            objective.penalty = min(5 * objective.penalty, 1e6)
+        before = abs(excess)
+        tolerance = max(0.1 * tolerance, 1e-5)
+    assert last is not None
+    return last
+
+
+def reachable_lengths(problem: Problem, settings: PgdSettings) -> Generator[Iterate, None, Reach]:
+    """Find the shortest and the longest plausible line of the feasible set."""
+    tally = Tally()
+    project = Projection(problem.feasible_set)
+    first = yield from smoothest_profile(problem, project, settings, tally)
+    shortest = yield from _shortest(problem, project, first.v, settings, tally)
+    low = problem.length_of(problem.gradients(shortest.v))[0]
+    smooth = problem.length_of(problem.gradients(first.v))[0]
+    # To second order a swing of root mean square r lengthens the line by r²/2.
+    swung = 0.5 * settings.plausible**2 * float(problem.piece_lengths.sum())
+    longest = yield from _lengthened(problem, project, first, settings, tally, smooth + _OVERSHOOT * swung)
+    high = problem.length_of(problem.gradients(longest.v))[0]
+    if high < smooth:
+        return Reach(low, smooth, shortest.v, first.v)
+    return Reach(low, high, shortest.v, longest.v)
+
+
+def swing_of(problem: Problem, v: FloatArray, smoothest: FloatArray) -> float:
+    """Return the root mean square of the change of gradient from the smoothest profile."""
+    lengths = problem.piece_lengths
+    return math.sqrt(float(lengths @ (problem.gradients(v) - smoothest) ** 2) / float(lengths.sum()))
+
+
+def report(
+    problem: Problem, stage: str, descent: Generator[Descent, None, Descent], tally: Tally
+) -> Generator[Iterate, None, Descent]:
+    """Turn each step of a descent into an iterate, and count."""
+    while True:
+        try:
+            at = next(descent)
+        except StopIteration as end:
+            last: Descent = end.value
+            tally.nfev += last.evaluations
+            return last
+        gradients = problem.gradients(at.v)
+        yield Iterate(
+            number=tally.nit,
+            stage=stage,
+            gradients=gradients,
+            objective=at.objective,
+            length=problem.length_of(gradients)[0],
+            drop=problem.targets.drop,
+            optimality=at.optimality,
+            step=at.step,
+            scale=problem.scale,
+        )
+        tally.nit += 1
