@@ -12,6 +12,7 @@ from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray, IntArray, frozen
 from bobdesk.solve.iterates import Solution
 
+DECIMALS = 6
 _NO_CURVATURE = 1e-9
 
 
@@ -55,16 +56,8 @@ class Centreline3D:
     segment_gradients: FloatArray
 
     def __post_init__(self) -> None:
-        for name in [
-            "stations",
-            "slope_lengths",
-            "points",
-            "headings",
-            "gradients",
-            "plan_curvature",
-            "curvature",
-            "segment_gradients",
-        ]:
+        names = "stations slope_lengths points headings gradients plan_curvature curvature segment_gradients"
+        for name in names.split():
             object.__setattr__(self, name, frozen(getattr(self, name)))
 
     @property
@@ -79,8 +72,9 @@ def make_centreline3d(centreline: Centreline, segments: Segments, solution: Solu
     profile, scale = solution.profile, solution.scale
     falls = scale * profile.falls(solution.gradients, solution.edge_gradients)
     elevations = solution.start_elevation - np.concatenate([[0.0], np.cumsum(falls)])
-    points = np.column_stack([scale * profile.points, elevations])
-    stations = scale * profile.stations
+    # Rounded here, so that every figure is that of the rows as they are written.
+    points: FloatArray = np.column_stack([scale * profile.points, elevations]).round(DECIMALS) + 0.0
+    stations = np.round(scale * profile.stations, DECIMALS)
     gradients = _gradients_at_rows(stations, falls, solution)
     true_size = tuple(replace(segment, start=scale * segment.start, end=scale * segment.end) for segment in segments)
     ends = np.array([segment.end for segment in true_size])

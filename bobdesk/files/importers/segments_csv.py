@@ -11,11 +11,11 @@ from bobdesk.files.importers.table import read_table
 _NEAR_END = 0.002
 
 
-def read_segments(path: Path, *, length: float) -> Segments:
+def read_segments(path: Path, *, length: float, scale: float = 1.0) -> Segments:
     """Read segments with the columns kind, from_m and to_m, for a line of `length` metres.
 
     The last segment may end up to 0.2 % beside the line's end, since a line that is fitted anew is
-    rarely as long to the millimetre; it is moved there.
+    rarely as long to the millimetre; it is moved there. The stations are multiplied by `scale`.
 
     Raises
     ------
@@ -28,8 +28,8 @@ def read_segments(path: Path, *, length: float) -> Segments:
     if missing:
         raise InputError(f"{path}: there is no column {' and '.join(missing)}; a list of segments needs all three")
     kind = header.index("kind")
-    starts = table.column(header.index("from_m"), "from_m")
-    ends = table.column(header.index("to_m"), "to_m")
+    starts = scale * table.column(header.index("from_m"), "from_m")
+    ends = scale * table.column(header.index("to_m"), "to_m")
     kinds: list[Kind] = []
     for row, cells in enumerate(table.rows):
         word = cells[kind].lower() if kind < len(cells) else ""

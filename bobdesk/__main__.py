@@ -1,0 +1,16 @@
+"""Start BobDesk: `python -m bobdesk`, the console script, and the frozen program come in here."""
+
+from __future__ import annotations
+
+import sys
+
+
+def main() -> int:
+    """Run the command in `sys.argv` and return its exit status."""
+    from bobdesk.cli.main import run
+
+    return run(sys.argv[1:])
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Commands without a window; each is one file and calls the same functions as the window."""

@@ -1,0 +1,91 @@
+"""Options that several commands share: targets, segments, plan."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import reduce
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+FILE = click.Path(path_type=Path)
+_PAIR = re.compile(r"^-?[\d.,eE+-]+(:-?[\d.,eE+-]+){1,2}$")
+
+
+class SeveralValues(click.Command):
+    """A command whose `--known` takes several values in a row, or is given several times."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Write `--known` before each of its values, then parse as usual."""
+        return super().parse_args(ctx, _spread(args, "--known", _PAIR))
+
+
+def _spread(args: list[str], option: str, pattern: re.Pattern[str]) -> list[str]:
+    """Write the option before each of its values."""
+    result: list[str] = []
+    within = False
+    for position, argument in enumerate(args):
+        follows_value = within and position and args[position - 1] != option
+        if follows_value and pattern.match(argument):
+            result.append(option)
+        elif argument == option:
+            within = True
+        elif follows_value:
+            within = False
+        result.append(argument)
+    return result
+
+
+def _combined(*decorators: Callable[[Function], Function]) -> Callable[[Function], Function]:
+    return lambda function: reduce(lambda inner, decorate: decorate(inner), reversed(decorators), function)
+
+
+plan_argument = click.argument("plan", type=FILE)
+
+plan_options = _combined(
+    click.option("--spacing", type=float, default=1.0, show_default=True, help="Distance between stations, m."),
+    click.option(
+        "--wavelength",
+        type=float,
+        default=15.0,
+        show_default=True,
+        help="Smoothing: waves shorter than this are taken for noise, m. 20 suits clicks by hand, 0 is none.",
+    ),
+)
+
+segment_options = _combined(
+    click.option("--count", type=int, help="Wanted number of segments; found automatically without it."),
+    click.option("--threshold", type=float, help="Curvature that parts straight from curve, 1/m; automatic without."),
+)
+
+target_options = _combined(
+    click.option("--length", type=float, required=True, help="3D length of the track, m."),
+    click.option("--drop", type=float, required=True, help="Height difference from start to lowest point, m."),
+    click.option("--mean-gradient", type=float, help="Mean gradient, as a number: 0.105 is 10.5 %."),
+    click.option(
+        "--mean-gradient-is",
+        type=click.Choice(["drop-per-length", "drop-per-plan", "segments"]),
+        default="drop-per-length",
+        show_default=True,
+        help="How that mean is defined. The first two follow from length and drop and are only checked;"
+        " the mean over the segments' gradients is held.",
+    ),
+    click.option(
+        "--min-gradient", type=float, default=-0.2, show_default=True, help="Smallest gradient; uphill is < 0."
+    ),
+    click.option("--max-gradient", type=float, default=0.25, show_default=True, help="Largest gradient."),
+    click.option(
+        "--known",
+        multiple=True,
+        metavar="STATION:ELEVATION",
+        help="A known elevation, m above the lowest point, at a station along the plan, m; several are allowed."
+        " A third number is its tolerance, m.",
+    ),
+    click.option("--unknown-scale", is_flag=True, help="The plan's scale is not known: find the factor f on it."),
+)
+
+strict_option = click.option("--strict", is_flag=True, help="Exit with status 4 if the targets cannot be met.")
+report_option = click.option("--report", type=FILE, metavar="R.json", help="Write all figures as JSON.")

@@ -1,0 +1,179 @@
+"""`bobdesk reconstruct`: plan, length and drop in, 3D centreline out."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+from typing import Any, cast, get_args
+
+import click
+
+from bobdesk.cli.main import UnmetTargetsError
+from bobdesk.cli.options import (
+    FILE,
+    SeveralValues,
+    plan_argument,
+    plan_options,
+    report_option,
+    segment_options,
+    strict_option,
+    target_options,
+)
+from bobdesk.cli.reports import run_report
+from bobdesk.cli.steps import plan_and_segments, targets_from, to_json, with_progress
+from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.files.exporters.tables import envelope_table, line_table
+from bobdesk.solve.anchors import anchors_of
+from bobdesk.solve.envelope import Envelope, envelope
+from bobdesk.solve.feasibility import feasibility
+from bobdesk.solve.iterates import Method
+from bobdesk.solve.objective import Weights
+from bobdesk.solve.run import SolverSettings, solve
+from bobdesk.solve.stages import PgdSettings
+from bobdesk.track.centreline3d import make_centreline3d
+from bobdesk.track.figures import Figures, deviations, figures
+
+_METHODS = get_args(Method)
+
+
+@click.command("reconstruct", cls=SeveralValues)
+@plan_argument
+@click.option("-o", "--output", type=FILE, required=True, metavar="LINE.csv", help="Where to write the 3D centreline.")
+@target_options
+@plan_options
+@segment_options
+@click.option("--segments", type=FILE, metavar="FILE", help="Use these segments instead of finding them.")
+@click.option(
+    "--method",
+    type=click.Choice(_METHODS),
+    default="pgd",
+    show_default=True,
+    help="pgd is recommended: it holds drop and known elevations exactly. published is the paper's, the others are"
+    " SciPy's on the paper's objective, to compare with.",
+)
+@click.option("--weight-length", type=float, default=1.0, show_default=True, help="a of the published objective.")
+@click.option("--weight-height", type=float, default=1.0, show_default=True, help="b of the published objective.")
+@click.option("--weight-curvature", type=float, default=1.0, show_default=True, help="c of the published objective.")
+@click.option("--weight-gradient", type=float, default=1.0, show_default=True, help="d of the published objective.")
+@click.option(
+    "--transition", type=float, default=8.0, show_default=True, help="Length of vertical transitions, m (pgd)."
+)
+@click.option(
+    "--meet-length/--smoothest", default=True, show_default=True, help="Meet the length, or stay smoothest (pgd)."
+)
+@click.option(
+    "--flavour",
+    type=click.Choice(["default", "excel-european", "tab", "xyz"]),
+    default="default",
+    show_default=True,
+    help="How LINE.csv is written.",
+)
+@report_option
+@click.option(
+    "--envelope", "band", type=FILE, metavar="E.csv", help="Write the band that all possible profiles lie in."
+)
+@click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
+@strict_option
+def command(
+    plan: Path,
+    output: Path,
+    spacing: float,
+    wavelength: float,
+    count: int | None,
+    threshold: float | None,
+    segments: Path | None,
+    method: str,
+    weight_length: float,
+    weight_height: float,
+    weight_curvature: float,
+    weight_gradient: float,
+    transition: float,
+    meet_length: bool,
+    flavour: str,
+    report: Path | None,
+    band: Path | None,
+    picture: Path | None,
+    strict: bool,
+    **options: Any,
+) -> None:
+    """Make the 3D centreline of PLAN, a CSV file with the columns x_m and y_m, from length and drop.
+
+    Drop and known elevations hold exactly; the length is met where it can be. What cannot be met is
+    said, and `bobdesk check` says it beforehand.
+    """
+    targets = targets_from(**options)
+    _check_outputs(output, report, band, picture)
+    if not 0 <= transition <= 200:
+        raise click.UsageError(f"--transition must lie between 0 and 200 m, not {transition:g}")
+    weights = Weights(weight_length, weight_height, weight_curvature, weight_gradient)
+    if not all(
+        0 <= weight < float("inf") for weight in (weight_length, weight_height, weight_curvature, weight_gradient)
+    ):
+        raise click.UsageError("the weights must be numbers of 0 or more")
+    settings = SolverSettings(
+        method=cast(Method, method),
+        pgd=PgdSettings(transition=transition, meet_length=meet_length),
+        weights=weights,
+    )
+    given = plan_and_segments(
+        plan,
+        targets,
+        spacing=spacing,
+        wavelength=wavelength,
+        count=count,
+        threshold=threshold,
+        segments_from=segments,
+    )
+    possible = feasibility(given.centreline, given.segments, given.targets, settings.pgd)
+    if strict and not possible.feasible:
+        raise UnmetTargetsError(possible.sentence)
+
+    started = time.perf_counter()
+    run = solve(given.centreline, given.segments, given.targets, settings)
+    solution = with_progress(run, method)
+    seconds = time.perf_counter() - started
+    line = make_centreline3d(given.centreline, given.segments, solution)
+    found = figures(line)
+    if strict and solution.status == 2:
+        raise UnmetTargetsError(solution.message)
+
+    files: dict[Path, bytes] = {}
+    shown: Envelope | None = None
+    if band is not None or picture is not None:
+        anchors = anchors_of(given.targets, given.centreline.length)
+        shown = envelope(solution.profile.stations, anchors, given.targets, scale=solution.scale)
+    if band is not None and shown is not None:
+        files[band] = envelope_table(shown)
+    if picture is not None:
+        from bobdesk.ui.plots.picture import draw_line
+
+        files[picture] = draw_line(line, shown, given.targets, title=plan.name, kind=picture.suffix.lower())
+    if report is not None:
+        off = deviations(found, targets)
+        files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))
+    files[output] = line_table(line, flavour=flavour)
+    for path, content in files.items():
+        write_atomic(path, content)
+    _say(possible.feasible, possible.sentence, solution.message, found, output)
+    if method == "published" and targets.known:
+        click.echo("note: the published method has no known elevations; they were left out", err=True)
+
+
+def _check_outputs(output: Path, report: Path | None, band: Path | None, picture: Path | None) -> None:
+    given = [path for path in (output, report, band, picture) if path is not None]
+    if len({path.absolute() for path in given}) < len(given):
+        raise click.UsageError("two outputs have the same name")
+    if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
+    for path in given:
+        check_writable(path)
+
+
+def _say(feasible: bool, sentence: str, message: str, found: Figures, output: Path) -> None:
+    if not feasible:
+        click.echo(f"note: {sentence}", err=True)
+    click.echo(
+        f"length {found.length:.3f} m, drop {found.drop:.3f} m, mean gradient"
+        f" {100 * found.mean_gradient_drop_per_length:.2f} % (drop / length), gradients from"
+        f" {100 * found.min_gradient:.1f} % to {100 * found.max_gradient:.1f} %\n{message}\nwritten to {output}"
+    )

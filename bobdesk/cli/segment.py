@@ -1,0 +1,36 @@
+"""`bobdesk segment`: find the straights and curves of a plan."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.cli.options import FILE, plan_argument, plan_options, segment_options
+from bobdesk.cli.steps import fitted_plan
+from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.files.exporters.tables import segments_table
+
+
+@click.command("segment")
+@plan_argument
+@click.option("-o", "--output", type=FILE, required=True, metavar="SEGMENTS.csv", help="Where to write them.")
+@plan_options
+@segment_options
+def command(
+    plan: Path, output: Path, spacing: float, wavelength: float, count: int | None, threshold: float | None
+) -> None:
+    """Find the straights and curves of PLAN, a CSV file with the columns x_m and y_m.
+
+    Writes segment, kind, from_m, to_m, radius_m, turn_rad. Correct the file by hand where it needs
+    it, and hand it to `bobdesk reconstruct --segments`.
+    """
+    check_writable(output)
+    centreline = fitted_plan(plan, spacing=spacing, wavelength=wavelength)
+    segments = detect_segments(centreline, SegmentationSettings(threshold=threshold, count=count))
+    write_atomic(output, segments_table(centreline, segments))
+    curves = sum(segment.kind == "curve" for segment in segments)
+    click.echo(
+        f"{len(segments)} segments, {curves} of them curves, on {centreline.length:.2f} m of plan; written to {output}"
+    )
