@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Generator
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -33,13 +34,29 @@ _ROUNDS_OF_SCALE = 20
 _BELOW = 1e-9
 
 
+@dataclass(frozen=True)
+class Guard:
+    """What keeps a profile from dipping below the lowest point, which would make the drop too large.
+
+    Attributes
+    ----------
+    downhill
+        Ranges of stations before a lowest point, in which the track may not climb.
+    held
+        Stations held level at 0, where it must climb afterwards.
+    """
+
+    downhill: tuple[tuple[float, float], ...] = ()
+    held: tuple[float, ...] = ()
+
+
 def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings | None = None) -> Run:
     """Reconstruct the gradients; a generator of iterates that returns the solution.
 
     Drop, limits, known elevations and a mean over the segments' gradients hold at every iterate.
     Stage one finds the smoothest profile, stage two the least change of elevation from it that
     meets the length. With an unknown scale the factor f on the plan meets the length instead.
-    A profile that dips below the lowest point is held level at 0 there and solved again.
+    A profile that dips below the lowest point is solved again under a guard.
 
     Raises
     ------
@@ -48,18 +65,18 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
     """
     settings = settings or PgdSettings()
     tally = Tally()
-    lowest: tuple[float, ...] = ()
+    guard = Guard()
     scale = 1.0
     while True:
-        problem = _laid_out(centreline, segments, targets, settings, scale, lowest)
+        problem = _laid_out(centreline, segments, targets, settings, scale, guard)
         if targets.unknown_scale:
             problem = yield from _with_scale(problem, settings, tally)
             scale = problem.scale
         result = yield from solve_stages(problem, settings, tally)
-        held = _held_at_lowest(problem, result.v, lowest)
-        if held == lowest:
+        stronger = _guarded(problem, result.v, guard)
+        if stronger == guard:
             return _solution(problem, result, settings, tally)
-        lowest = held
+        guard = stronger
 
 
 def reach(
@@ -72,16 +89,16 @@ def reach(
     TargetError
         If no profile keeps those.
     """
-    lowest: tuple[float, ...] = ()
+    guard = Guard()
     low: float | None = None
     while True:
-        problem = _laid_out(centreline, segments, targets, settings, scale, lowest)
+        problem = _laid_out(centreline, segments, targets, settings, scale, guard)
         found: Reach = yield from reachable_lengths(problem, settings)
         low = found.low if low is None else low
-        held = _held_at_lowest(problem, found.longest, lowest)
-        if held == lowest:
+        stronger = _guarded(problem, found.longest, guard)
+        if stronger == guard:
             return low, max(found.high, low)
-        lowest = held
+        guard = stronger
 
 
 def find_scale(
@@ -95,7 +112,7 @@ def find_scale(
         If no profile keeps drop, limits and known elevations.
     """
     start = max(targets.length - targets.drop, 0.1 * targets.length) / centreline.length
-    problem = _laid_out(centreline, segments, targets, settings, start, ())
+    problem = _laid_out(centreline, segments, targets, settings, start, Guard())
     found = yield from _with_scale(problem, settings, Tally())
     return found.scale
 
@@ -106,25 +123,30 @@ def _laid_out(
     targets: Targets,
     settings: PgdSettings,
     scale: float,
-    lowest: tuple[float, ...],
+    guard: Guard,
 ) -> Problem:
     return make_problem(
         centreline,
         segments,
         targets,
-        settled(anchors_of(targets, centreline.length, lowest), targets, scale=scale),
+        settled(anchors_of(targets, centreline.length, guard.held), targets, scale=scale),
         transition=settings.transition,
         longest_piece=settings.longest_piece,
         scale=scale,
+        downhill=guard.downhill,
     )
 
 
-def _held_at_lowest(problem: Problem, v: FloatArray, lowest: tuple[float, ...]) -> tuple[float, ...]:
-    """Return the stations to be held at 0: those before, and where the profile dips deepest below."""
+def _guarded(problem: Problem, v: FloatArray, guard: Guard) -> Guard:
+    """Return a guard against the deepest dip of a profile below the lowest point, or the same one."""
     dip = _deepest_dip(problem, problem.gradients(v))
-    if dip is None or dip in lowest or len(lowest) >= _ROUNDS_OF_LOWEST:
-        return lowest
-    return (*lowest, dip)
+    rounds = len(guard.held) + len(guard.downhill)
+    if dip is None or rounds >= _ROUNDS_OF_LOWEST:
+        return guard
+    following = next(anchor for anchor in problem.anchors if anchor.station > dip)
+    if following.elevation == 0 and not any(start <= dip < end for start, end in guard.downhill):
+        return replace(guard, downhill=(*guard.downhill, (dip, following.station)))
+    return replace(guard, held=(*guard.held, dip))
 
 
 def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Generator[Iterate, None, Problem]:
@@ -142,7 +164,7 @@ def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Genera
         scale = problem.scale * (1 + (target - length) / flat)
         if not 0 < scale < math.inf:
             raise TargetError("no scale of this plan meets length and drop")
-        problem = Problem(problem.profile, problem.targets, problem.anchors, scale)
+        problem = replace(problem, scale=scale)
     return problem
 
 

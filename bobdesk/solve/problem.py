@@ -35,12 +35,15 @@ class Problem:
         The elevations that are held, from the start to the end, in running order.
     scale
         Factor on the plan.
+    downhill
+        Ranges of stations in which the track may not climb, whatever the limits.
     """
 
     profile: Profile
     targets: Targets
     anchors: Anchors
     scale: float = 1.0
+    downhill: tuple[tuple[float, float], ...] = ()
 
     @cached_property
     def piece_lengths(self) -> FloatArray:
@@ -73,6 +76,15 @@ class Problem:
         return stretches
 
     @cached_property
+    def lowest_gradients(self) -> FloatArray:
+        """Smallest gradient that each piece may have, (p,)."""
+        lowest = np.full(len(self.piece_lengths), self.targets.min_gradient)
+        middles = 0.5 * (self.profile.edges[1:] + self.profile.edges[:-1])
+        for start, end in self.downhill:
+            lowest[(middles > start) & (middles < end)] = max(0.0, self.targets.min_gradient)
+        return lowest
+
+    @cached_property
     def feasible_set(self) -> FeasibleSet:
         """Limits, drop, known elevations and mean gradient as a set of the solvers' variables."""
         falls = falls_between(self.profile, stations_of(self.anchors))
@@ -83,7 +95,7 @@ class Problem:
             weights=weights,
             stretch_of=self.stretch_of,
             falls=-np.diff(elevations_of(self.anchors)) - given,
-            low=self.targets.min_gradient * self.roots,
+            low=self.lowest_gradients * self.roots,
             high=self.targets.max_gradient * self.roots,
             mean_weights=None if wanted is None else self.mean_shares / self.roots,
             mean=0.0 if wanted is None else wanted,
@@ -122,6 +134,7 @@ def make_problem(
     transition: float = 0.0,
     longest_piece: float | None = None,
     scale: float = 1.0,
+    downhill: tuple[tuple[float, float], ...] = (),
 ) -> Problem:
     """Put plan and targets together.
 
@@ -139,7 +152,7 @@ def make_problem(
         profile = make_profile(
             centreline, segments, breaks=breaks, kinks=kinks, transition=transition, longest_piece=longest_piece
         )
-        return Problem(profile, targets, anchors, scale)
+        return Problem(profile, targets, anchors, scale, downhill)
 
     problem = laid_out(())
     tight = _stretches_out_of_reach(problem)

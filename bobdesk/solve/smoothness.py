@@ -6,8 +6,9 @@ import numpy as np
 from scipy import sparse
 from scipy.sparse.linalg import spsolve
 
-from bobdesk.arrays import FloatArray
+from bobdesk.arrays import FloatArray, IntArray
 from bobdesk.solve.problem import Problem
+from bobdesk.solve.projection import FeasibleSet
 
 SMOOTHNESS_SCALE = 1e4
 
@@ -65,6 +66,80 @@ def smoothest_without_limits(problem: Problem) -> FloatArray:
     return start
 
 
+class Swings:
+    """The variables of stage two: one change of gradient for each segment, or part of a long one.
+
+    Real tracks alternate steep and flat from segment to segment; so all pieces of a segment change by
+    the same amount, and what stage one made of them inside the segment stays.
+
+    Parameters
+    ----------
+    problem
+        The problem.
+    smoothest : (p,)
+        Gradients of stage one, within the feasible set.
+    longest
+        Segments longer than this swing in parts, m.
+    """
+
+    def __init__(self, problem: Problem, smoothest: FloatArray, longest: float) -> None:
+        lengths = problem.piece_lengths
+        self._smoothest = smoothest
+        self._group_of = _groups(problem, longest)
+        self._starts = np.flatnonzero(np.diff(self._group_of, prepend=-1))
+        self._roots = np.sqrt(self._summed(lengths))
+        feasible = problem.feasible_set
+        self.count = len(self._starts)
+        self.feasible_set = FeasibleSet(
+            weights=self._summed(feasible.weights * problem.roots) / self._roots,
+            stretch_of=problem.stretch_of[self._starts],
+            falls=np.zeros(len(feasible.falls)),
+            low=np.minimum(np.maximum.reduceat(problem.lowest_gradients - smoothest, self._starts), 0.0) * self._roots,
+            high=np.maximum(np.minimum.reduceat(problem.targets.max_gradient - smoothest, self._starts), 0.0)
+            * self._roots,
+            mean_weights=None
+            if feasible.mean_weights is None
+            else self._summed(feasible.mean_weights * problem.roots) / self._roots,
+        )
+
+    def _summed(self, by_piece: FloatArray) -> FloatArray:
+        summed: FloatArray = np.asarray(np.add.reduceat(by_piece, self._starts), dtype=np.float64)
+        return summed
+
+    def patterns(self) -> list[FloatArray]:
+        """Return starts for stage two: swings of ±1 in turn, both ways round."""
+        turn = np.where(np.arange(self.count) % 2, -1.0, 1.0) * self._roots
+        return [turn, -turn]
+
+    def difference(self, swings: FloatArray) -> FloatArray:
+        """Return the change of each piece's gradient, (p,)."""
+        return (swings / self._roots)[self._group_of]
+
+    def gradients(self, swings: FloatArray) -> FloatArray:
+        """Return the gradients of the pieces, (p,)."""
+        return self._smoothest + self.difference(swings)
+
+    def derivative(self, by_gradient: FloatArray) -> FloatArray:
+        """Return a derivative by the variables from one by the gradients, (groups,)."""
+        return self._summed(by_gradient) / self._roots
+
+
+def _groups(problem: Problem, longest: float) -> IntArray:
+    """Return the group of each piece: its segment and stretch, divided where that is too long, (p,)."""
+    lengths = problem.piece_lengths
+    key = problem.profile.segment_of * (int(problem.stretch_of[-1]) + 1) + problem.stretch_of
+    starts = np.flatnonzero(np.diff(key, prepend=-1))
+    of_run = np.cumsum(np.diff(key, prepend=key[0]) != 0)
+    total = np.add.reduceat(lengths, starts)[of_run]
+    before = np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
+    middle = before - before[starts][of_run] + 0.5 * lengths
+    part = np.floor(middle / total * np.maximum(np.ceil(total / longest - 1e-9), 1.0)).astype(np.int64)
+    changes = (np.diff(of_run, prepend=0) != 0) | (np.diff(part, prepend=0) != 0)
+    changes[0] = False
+    groups: IntArray = np.cumsum(changes)
+    return groups
+
+
 class ChangeToLength:
     """The least change of elevation from the smoothest profile, spread evenly, that meets the length.
 
@@ -74,34 +149,32 @@ class ChangeToLength:
     eL = length - target. The quartic term keeps the change from piling up in a few short pieces.
     """
 
-    def __init__(self, problem: Problem, smoothest: FloatArray, spread: float, length: float) -> None:
+    def __init__(self, problem: Problem, swings: Swings, spread: float, length: float) -> None:
         self._problem = problem
-        self._smoothest = smoothest
+        self._swings = swings
         self._spread = spread
         self._target = length
         self._total = float(problem.piece_lengths.sum())
         self.multiplier = 0.0
         self.penalty = 10.0
 
-    def excess(self, v: FloatArray) -> float:
+    def excess(self, swings: FloatArray) -> float:
         """Return the length over the target, m."""
-        return self._problem.length_of(self._problem.gradients(v))[0] - self._target
+        return self._problem.length_of(self._swings.gradients(swings))[0] - self._target
 
-    def change(self, v: FloatArray) -> float:
+    def change(self, swings: FloatArray) -> float:
         """Return J without the terms of the length."""
-        return self._change(self._problem.gradients(v) - self._smoothest)[0]
+        return self._change(self._swings.difference(swings))[0]
 
-    def __call__(self, v: FloatArray) -> tuple[float, FloatArray]:
-        """Return value and derivative of the augmented Lagrangian at the solvers' variables."""
-        gradients = self._problem.gradients(v)
-        value, by_gradient = self._change(gradients - self._smoothest)
-        length, by_length = self._problem.length_of(gradients)
+    def __call__(self, swings: FloatArray) -> tuple[float, FloatArray]:
+        """Return value and derivative of the augmented Lagrangian."""
+        difference = self._swings.difference(swings)
+        value, by_gradient = self._change(difference)
+        length, by_length = self._problem.length_of(self._swings.gradients(swings))
         excess = length - self._target
         value += self.multiplier * excess + 0.5 * self.penalty * excess * excess
         by_gradient += (self.multiplier + self.penalty * excess) * by_length
-        derivative = np.zeros(len(v))
-        derivative[: len(gradients)] = by_gradient / self._problem.roots
-        return value, derivative
+        return value, self._swings.derivative(by_gradient)
 
     def _change(self, difference: FloatArray) -> tuple[float, FloatArray]:
         lengths = self._problem.piece_lengths

@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
+from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
-import numpy as np
 from scipy.optimize import brentq
 
 from bobdesk.arrays import FloatArray
 from bobdesk.solve.iterates import Iterate
 from bobdesk.solve.problem import Problem
 from bobdesk.solve.projection import Projection
-from bobdesk.solve.smoothness import ChangeToLength, Smoothness, smoothest_without_limits
+from bobdesk.solve.smoothness import ChangeToLength, Smoothness, Swings, smoothest_without_limits
 from bobdesk.solve.spectral_gradient import Descent, DescentSettings, descend
 
 _ROUNDS_OF_LENGTH = 30
-_FIRST_SWING = 0.03
 _OVERSHOOT = 1.05
 _BARELY_PLAUSIBLE = 1.02
 _STEPS_A_ROUND = 400
@@ -43,6 +41,9 @@ class PgdSettings:
     longest_piece
         Longer segments are divided into equal pieces, m: an even gradient over 100 m and more is
         not what tracks have. (At most some 300 divisions a line.)
+    longest_swing
+        Stage two changes the gradient by one amount in each segment, and in each part of a segment
+        that is longer than this, m.
     tolerance
         On the optimality measure in stage one.
     max_iterations
@@ -54,6 +55,7 @@ class PgdSettings:
     plausible: float = 0.06
     transition: float = 8.0
     longest_piece: float = 40.0
+    longest_swing: float = 60.0
     tolerance: float = 1e-8
     max_iterations: int = 5000
 
@@ -107,7 +109,7 @@ def solve_stages(
         v = _between(problem, shortest.v, first.v, target)
         met = abs(problem.length_of(problem.gradients(v))[0] - target) <= _MET * target
         return Result(v, smoothest, first.objective, first.optimality, met, at_plausible_edge=False)
-    return (yield from _lengthened(problem, project, first, settings, tally, target))
+    return (yield from _lengthened(problem, first, settings, tally, target))
 
 
 def smoothest_profile(
@@ -118,7 +120,11 @@ def smoothest_profile(
     objective = Smoothness(problem)
     return (
         yield from report(
-            problem, "smoothest profile", descend(objective, smoothest_without_limits(problem), project, descent), tally
+            problem,
+            "smoothest profile",
+            descend(objective, smoothest_without_limits(problem), project, descent),
+            problem.gradients,
+            tally,
         )
     )
 
@@ -133,7 +139,9 @@ def _shortest(
         return value, derivative / problem.roots
 
     descent = DescentSettings(1e-7, settings.max_iterations)
-    return (yield from report(problem, "shortest line", descend(length, start, project, descent), tally))
+    return (
+        yield from report(problem, "shortest line", descend(length, start, project, descent), problem.gradients, tally)
+    )
 
 
 def _between(problem: Problem, shorter: FloatArray, longer: FloatArray, target: float) -> FloatArray:
@@ -149,40 +157,37 @@ def _between(problem: Problem, shorter: FloatArray, longer: FloatArray, target: 
 
 
 def _lengthened(
-    problem: Problem,
-    project: Projection,
-    first: Descent,
-    settings: PgdSettings,
-    tally: Tally,
-    target: float,
+    problem: Problem, first: Descent, settings: PgdSettings, tally: Tally, target: float
 ) -> Generator[Iterate, None, Result]:
     """Change the smoothest profile as little as meets the length; both ways round, the better one."""
     smoothest = problem.gradients(first.v)
-    pieces = len(smoothest)
+    swings = Swings(problem, smoothest, settings.longest_swing)
+    # To second order a swing of root mean square r lengthens the line by r²/2.
+    needed = max(target - problem.length_of(smoothest)[0], 0.0)
+    first_swing = math.sqrt(2 * needed / float(problem.piece_lengths.sum()))
     best: tuple[float, Descent, float] | None = None
-    for sign in (1.0, -1.0):
-        objective = ChangeToLength(problem, smoothest, settings.spread, target)
-        start = first.v.copy()
-        start[:pieces] += sign * _FIRST_SWING * (-1.0) ** np.arange(pieces) * problem.roots
-        last = yield from _meet(problem, project, objective, start, settings, tally, target)
+    for pattern in swings.patterns():
+        objective = ChangeToLength(problem, swings, settings.spread, target)
+        last = yield from _meet(problem, swings, objective, first_swing * pattern, settings, tally, target)
         excess = objective.excess(last.v)
         rank = objective.change(last.v) + 1e3 * max(0.0, abs(excess) - _MET * target)
         if best is None or rank < best[0]:
             best = (rank, last, excess)
     assert best is not None
     _, last, excess = best
-    swing = swing_of(problem, last.v, smoothest)
+    v = swings.gradients(last.v) * problem.roots
+    swing = swing_of(problem, v, smoothest)
     met = abs(excess) <= _MET * target
     if swing <= _BARELY_PLAUSIBLE * settings.plausible:
-        return Result(last.v, smoothest, last.objective, last.optimality, met, at_plausible_edge=False)
+        return Result(v, smoothest, last.objective, last.optimality, met, at_plausible_edge=False)
     # The feasible set is convex: a point between the two profiles keeps all that both keep.
-    v = first.v + settings.plausible / swing * (last.v - first.v)
+    v = first.v + settings.plausible / swing * (v - first.v)
     return Result(v, smoothest, last.objective, last.optimality, met=False, at_plausible_edge=True)
 
 
 def _meet(
     problem: Problem,
-    project: Projection,
+    swings: Swings,
     objective: ChangeToLength,
     start: FloatArray,
     settings: PgdSettings,
@@ -190,12 +195,14 @@ def _meet(
     target: float,
 ) -> Generator[Iterate, None, Descent]:
     """Augmented Lagrangian: descend, move the multiplier by the excess, until the length is met."""
+    project = Projection(swings.feasible_set)
     tolerance, before = 1e-2, math.inf
     last: Descent | None = None
     for _ in range(_ROUNDS_OF_LENGTH):
         descent = DescentSettings(tolerance, min(settings.max_iterations, _STEPS_A_ROUND))
-        steps = descend(objective, start if last is None else last.v, project, descent)
-        last = yield from report(problem, "length", steps, tally)
+        steps = descend(objective, start, project, descent)
+        last = yield from report(problem, "length", steps, swings.gradients, tally)
+        start = last.v
         excess = objective.excess(last.v)
         objective.multiplier += objective.penalty * excess
         if abs(excess) <= LENGTH_TOLERANCE * target and tolerance <= 1e-4:
@@ -218,7 +225,7 @@ def reachable_lengths(problem: Problem, settings: PgdSettings) -> Generator[Iter
     smooth = problem.length_of(problem.gradients(first.v))[0]
     # To second order a swing of root mean square r lengthens the line by r²/2.
     swung = 0.5 * settings.plausible**2 * float(problem.piece_lengths.sum())
-    longest = yield from _lengthened(problem, project, first, settings, tally, smooth + _OVERSHOOT * swung)
+    longest = yield from _lengthened(problem, first, settings, tally, smooth + _OVERSHOOT * swung)
     high = problem.length_of(problem.gradients(longest.v))[0]
     if high < smooth:
         return Reach(low, smooth, shortest.v, first.v)
@@ -232,7 +239,11 @@ def swing_of(problem: Problem, v: FloatArray, smoothest: FloatArray) -> float:
 
 
 def report(
-    problem: Problem, stage: str, descent: Generator[Descent, None, Descent], tally: Tally
+    problem: Problem,
+    stage: str,
+    descent: Generator[Descent, None, Descent],
+    gradients_of: Callable[[FloatArray], FloatArray],
+    tally: Tally,
 ) -> Generator[Iterate, None, Descent]:
     """Turn each step of a descent into an iterate, and count."""
     while True:
@@ -242,7 +253,7 @@ def report(
             last: Descent = end.value
             tally.nfev += last.evaluations
             return last
-        gradients = problem.gradients(at.v)
+        gradients = gradients_of(at.v)
         yield Iterate(
             number=tally.nit,
             stage=stage,

@@ -42,6 +42,7 @@ def draw_line(line: Centreline3D, band: Envelope | None, targets: Targets, *, ti
     application = application_without_screen()
     os.environ.setdefault("PYQTGRAPH_QT_LIB", "PySide6")
     import pyqtgraph as pg
+    from PySide6.QtCore import Qt
 
     view = pg.GraphicsLayoutWidget(size=_SIZE)
     view.setBackground(palette.PAPER)
@@ -53,6 +54,8 @@ def draw_line(line: Centreline3D, band: Envelope | None, targets: Targets, *, ti
     gradient = _gradient(view, line, targets)
     elevation = _elevation(view, line, band, targets)
     elevation.setXLink(gradient)
+    view.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
+    view.show()
     application.processEvents()
     return _rendered(view, kind)
 
