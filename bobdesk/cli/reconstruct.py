@@ -30,6 +30,7 @@ from bobdesk.solve.iterates import Method
 from bobdesk.solve.objective import Weights
 from bobdesk.solve.run import SolverSettings, solve
 from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.targets import in_scale
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
 
@@ -147,7 +148,7 @@ def command(
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
-        files[picture] = draw_line(line, shown, given.targets, title=plan.name, kind=picture.suffix.lower())
+        files[picture] = draw_line(line, shown, in_scale(given.targets, solution.scale), title=plan.name, kind=picture.suffix.lower())
     if report is not None:
         off = deviations(found, targets)
         files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))

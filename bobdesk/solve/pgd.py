@@ -32,6 +32,8 @@ from bobdesk.solve.tolerances import settled
 _ROUNDS_OF_LOWEST = 12
 _ROUNDS_OF_SCALE = 20
 _BELOW = 1e-9
+_PASSES = 3
+_SPIKE = 0.002
 
 
 @dataclass(frozen=True)
@@ -67,16 +69,38 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
     tally = Tally()
     guard = Guard()
     scale = 1.0
+    through: FloatArray | None = None
+    passes = 0
     while True:
-        problem = _laid_out(centreline, segments, targets, settings, scale, guard)
+        problem = _laid_out(centreline, segments, targets, settings, scale, guard, through)
         if targets.unknown_scale:
             problem = yield from _with_scale(problem, settings, tally)
             scale = problem.scale
         result = yield from solve_stages(problem, settings, tally)
         stronger = _guarded(problem, result.v, guard)
-        if stronger == guard:
+        if stronger != guard:
+            guard, through = stronger, None
+            continue
+        smoother = _through_anchors(problem, problem.gradients(result.v))
+        passes += 1
+        if passes > _PASSES or np.abs(smoother - problem.edge_gradients[: len(smoother)]).max(initial=0.0) < _SPIKE:
             return _solution(problem, result, settings, tally)
-        guard = stronger
+        through = smoother[problem.profile.held]
+
+
+def _through_anchors(problem: Problem, gradients: FloatArray) -> FloatArray:
+    """Return the mean gradient of the pieces beside each inner edge that is held, 0 at others, (p-1,).
+
+    With it a transition at a known elevation passes straight from one gradient to the next, where
+    one that is guessed beforehand would make it go up and down again. Level edges stay level.
+    """
+    means = 0.5 * (gradients[:-1] + gradients[1:])
+    given = problem.edge_gradients[: len(means)]
+    level = np.zeros(len(means), dtype=np.bool_)
+    inner = np.array([anchor.elevation for anchor in problem.anchors[1:-1]])
+    level[np.flatnonzero(problem.profile.held)] = (inner == 0) & problem.climbs
+    smoother: FloatArray = np.where(problem.profile.held & ~level, means, given)
+    return smoother
 
 
 def reach(
@@ -124,6 +148,7 @@ def _laid_out(
     settings: PgdSettings,
     scale: float,
     guard: Guard,
+    through: FloatArray | None = None,
 ) -> Problem:
     return make_problem(
         centreline,
@@ -134,6 +159,7 @@ def _laid_out(
         longest_piece=settings.longest_piece,
         scale=scale,
         downhill=guard.downhill,
+        through=through,
     )
 
 

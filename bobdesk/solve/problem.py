@@ -37,6 +37,8 @@ class Problem:
         Factor on the plan.
     downhill
         Ranges of stations in which the track may not climb, whatever the limits.
+    through : (a-2,) or None
+        Gradients at the inner anchors where they are known better than from the anchors alone.
     """
 
     profile: Profile
@@ -44,6 +46,7 @@ class Problem:
     anchors: Anchors
     scale: float = 1.0
     downhill: tuple[tuple[float, float], ...] = ()
+    through: FloatArray | None = None
 
     @cached_property
     def piece_lengths(self) -> FloatArray:
@@ -60,9 +63,16 @@ class Problem:
     def edge_gradients(self) -> FloatArray:
         """Gradients given at the held edges, 0 at the others, (p-1,) or (1,)."""
         given = np.zeros(max(len(self.profile.held), 1))
-        through = gradients_through(self.anchors, scale=self.scale, level_at_lowest=self.targets.min_gradient < 0)
+        through = self.through
+        if through is None:
+            through = gradients_through(self.anchors, scale=self.scale, level_at_lowest=self.climbs)
         given[np.flatnonzero(self.profile.held)] = through
         return given
+
+    @property
+    def climbs(self) -> bool:
+        """Whether the limits let the track climb."""
+        return self.targets.min_gradient < 0
 
     @cached_property
     def length_of(self) -> LengthOf:
@@ -135,6 +145,7 @@ def make_problem(
     longest_piece: float | None = None,
     scale: float = 1.0,
     downhill: tuple[tuple[float, float], ...] = (),
+    through: FloatArray | None = None,
 ) -> Problem:
     """Put plan and targets together.
 
@@ -152,7 +163,7 @@ def make_problem(
         profile = make_profile(
             centreline, segments, breaks=breaks, kinks=kinks, transition=transition, longest_piece=longest_piece
         )
-        return Problem(profile, targets, anchors, scale, downhill)
+        return Problem(profile, targets, anchors, scale, downhill, through)
 
     problem = laid_out(())
     tight = _stretches_out_of_reach(problem)

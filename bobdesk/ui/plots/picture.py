@@ -64,7 +64,7 @@ def _plan(view: Any, line: Centreline3D, title: str) -> None:
     import pyqtgraph as pg
 
     plot = view.addPlot(row=0, col=0, title=title)
-    _style(plot, "x", "y", "m")
+    _style(plot, "x (m)", "y", "m")
     plot.setAspectLocked(True)
     x, y = line.points[:, 0], line.points[:, 1]
     # A straight is a thin line, a curve a thicker one: told apart without colour too.
@@ -113,9 +113,8 @@ def _elevation(view: Any, line: Centreline3D, band: Envelope | None, targets: Ta
         plot.addItem(pg.FillBetweenItem(*edges, brush=pg.mkBrush(*palette.BAND_SHADE)))
     plot.plot(line.stations[thin], line.elevations[thin], pen=pg.mkPen(palette.PROFILE, width=3))
     if targets.known:
-        scale = float(line.stations[-1]) / max(float(line.stations[-1]), 1e-9)
         plot.plot(
-            [scale * known.station for known in targets.known],
+            [known.station for known in targets.known],
             [known.elevation for known in targets.known],
             pen=None,
             symbol="d",
