@@ -57,8 +57,8 @@ def check_affine(points: Sequence[ControlPoint]) -> AffineCheck:
     if len(used) < 3:
         raise InputError("To tell whether the picture is stretched takes three control points or more.")
     # y is flipped here, once, as in the calibration.
-    pixels = np.array([(point.x_px, -point.y_px) for point in used])
-    metres = np.array([(point.x_m, point.y_m) for point in used])
+    pixels = np.array([(point.x_px, -point.y_px) for point in used], dtype=np.float64)
+    metres = np.array([(point.x_m, point.y_m) for point in used], dtype=np.float64)
     pixels -= pixels.mean(axis=0)
     metres -= metres.mean(axis=0)
     along, across = np.linalg.svd(pixels, compute_uv=False)
@@ -98,7 +98,7 @@ def _chance(
     With two degrees of freedom above, the F distribution's tail is (1 + 2 F / freedom)^(-freedom / 2).
     """
     z, w = pixels @ (1, 1j), metres @ (1, 1j)
-    similar = float(np.vdot(w, w).real) - abs(np.vdot(z, w)) ** 2 / float(np.vdot(z, z).real)
+    similar = float(np.vdot(w, w).real) - float(np.abs(np.vdot(z, w))) ** 2 / float(np.vdot(z, z).real)
     gain = max(similar - squares, 0.0)
     # Rounding alone is no distortion: coordinates of exact data leave squares of 1e-24.
     floor = 1e-20 * float(np.vdot(w, w).real)

@@ -121,7 +121,8 @@ def calibration_from_world(world: PixelToWorld, *, name: str) -> Calibration:
     mirrored = complex(a + e, d - b) / 2  # of x + iy
     if abs(mirrored) > abs(factor):
         raise InputError(
-            f"{name} says that the picture is mirrored, which would swap left and right curves; check its signs."
+            f"{name} says that the picture is mirrored, which would swap left and right curves; "
+            "check its signs."
         )
     if abs(mirrored) > _SQUARE_WITHIN / 2 * abs(factor):
         raise InputError(

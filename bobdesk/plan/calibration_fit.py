@@ -217,7 +217,8 @@ def _solve(
     scale = (abs(product) + float(length_px @ length_m) / 2) / spread if spread > 0 else 0.0
     if not scale > 0:
         raise InputError(
-            "The control points give no scale: their places in the picture have nothing to do with their metres."
+            "The control points give no scale: their places in the picture have nothing to do "
+            "with their metres."
         )
     factor = scale * direction
     of_points = float(np.sum(np.abs(from_metres - factor * from_pixels) ** 2))

@@ -33,23 +33,22 @@ def draw_svg(
     A drawing without colours comes back grey. Sizes in pixels count 96 an inch, as CSS has it; the
     picture's dpi is None then, since no real size was meant.
     """
-    source = read_svg(data, name=name)
+    source = read_svg(data, name=name, dpi=dpi)
     check_page_size(source.width_inch, source.height_inch, dpi=dpi, name=name, limit=limit_megapixels)
     width = max(1, round(source.width_inch * dpi))
     height = max(1, round(source.height_inch * dpi))
     before_decoding(PictureHeader("SVG", width, height, width * height * 16))
-    # resvg keeps the shape of the drawing: the longer side decides, so rounding matters least.
     try:
         png = resvg_py.svg_to_bytes(
             svg_string=source.text,
             background="#ffffff",
             dpi=96.0,
             skip_system_fonts=not source.has_text,
-            width=width if width >= height else None,
-            height=None if width >= height else height,
         )
     except (ValueError, MemoryError) as error:
-        raise InputError(f"{name} is damaged and cannot be drawn as an SVG.") from error
+        raise InputError(
+            f"{name} cannot be drawn: the SVG is damaged or repeats its own parts without end."
+        ) from error
     pixels, _ = pixels_of(PngImageFile(io.BytesIO(png)), name=name)
     pixels = grey_if_grey(pixels.astype(np.uint8, copy=False))
     notes = []
