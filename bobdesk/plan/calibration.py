@@ -17,6 +17,7 @@ from bobdesk.plan.world import PixelToWorld
 
 _INCH_M = 0.0254
 _SQUARE_WITHIN = 1e-3  # of a pixel's side; a plan of 1,300 m is then off by at most a metre
+_SQUARE_DPI_WITHIN = 0.005  # a page drawn into whole pixels may be off by one in a few hundred
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,11 +95,11 @@ def calibration_from_drawing_scale(dpi: tuple[float, float] | None, *, one_to: f
     """
     if dpi is None:
         raise InputError("The picture does not say its dpi, so the scale of the drawing alone does not help.")
-    if abs(dpi[0] / dpi[1] - 1) > _SQUARE_WITHIN:
+    if abs(dpi[0] / dpi[1] - 1) > _SQUARE_DPI_WITHIN:
         raise InputError(f"The pixels are not square ({dpi[0]:g} × {dpi[1]:g} dpi); save the picture again.")
     if not (math.isfinite(one_to) and one_to > 0):
         raise InputError(f"A drawing scale is 1 : a positive number, not 1 : {one_to:g}.")
-    return Calibration(_INCH_M / dpi[0] * one_to)
+    return Calibration(_INCH_M / math.sqrt(dpi[0] * dpi[1]) * one_to)
 
 
 def calibration_from_world(world: PixelToWorld, *, name: str) -> Calibration:

@@ -23,7 +23,7 @@ DPI_RANGE = (10.0, 2400.0)
 
 @dataclass(frozen=True)
 class PictureHeader:
-    """What is known of a picture before it is decoded: `width` and `height` in pixels as stored.
+    """What is known of a picture before it is decoded: `width` and `height` in pixels.
 
     `memory_bytes` is an upper estimate of what decoding takes beside the file itself.
     """
@@ -46,7 +46,8 @@ class PlanImage:
         screen need no more, and 12-bit scans stored in 16 bits come out as bright as they were.
     dpi
         Pixels per inch along x and y as the file says, None where it says nothing. For a PDF page, and
-        an SVG drawing measured in millimetres or the like, the dpi at which it was drawn.
+        an SVG drawing measured in millimetres or the like, the dpi at which it was drawn: what was asked
+        for, but for filling whole pixels.
     pages
         Number of pages in the file (PDF, TIFF), else 1.
     format

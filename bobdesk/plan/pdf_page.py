@@ -67,7 +67,9 @@ def draw_pdf_page(
         sheet.close()
     finally:
         document.close()
-    return PlanImage(pixels, (dpi, dpi), pages, "PDF")
+    # The page fills whole pixels, so its dpi is a trace more than was asked for.
+    drawn = (pixels.shape[1] / width_pt * _POINTS_PER_INCH, pixels.shape[0] / height_pt * _POINTS_PER_INCH)
+    return PlanImage(pixels, drawn, pages, "PDF")
 
 
 def _opened(data: bytes, *, name: str) -> pdfium.PdfDocument:

@@ -19,7 +19,7 @@ from PIL.WebPImagePlugin import WebPImageFile
 from bobdesk.errors import InputError
 from bobdesk.plan.geotiff import geotiff_world
 from bobdesk.plan.image import BeforeDecoding, PictureHeader, PlanImage, check_size
-from bobdesk.plan.raster_pixels import pixels_of, turned_pixels
+from bobdesk.plan.raster_pixels import is_deep_colour, pixels_of, turned_pixels
 from bobdesk.plan.raster_tags import file_dpi, orientation
 from bobdesk.plan.webp_size import webp_size
 from bobdesk.plan.world import PixelToWorld, turned_world
@@ -65,22 +65,28 @@ def decode_raster(
     with _sentences(name, kind):
         if page > 1:
             picture.seek(page - 1)
-        turn = orientation(picture)
-        width, height = _stored_size(picture, turn)
-    check_size(width, height, name=name, limit_megapixels=limit_megapixels)
+    check_size(*picture.size, name=name, limit_megapixels=limit_megapixels)
+    deep = is_deep_colour(picture)
     if isinstance(picture, TiffImageFile):
         # The file's own tags go before a world file, as in GIS programs.
+        with _sentences(name, kind):
+            tags = dict(picture.tag_v2)
         try:
-            world = geotiff_world(dict(picture.tag_v2), name=name) or world
+            world = geotiff_world(tags, name=name) or world
         except InputError as reason:
             notes.append(str(reason))
-    dpi = file_dpi(picture)
-    before_decoding(PictureHeader(kind, width, height, _memory(picture, kind, width * height, turn)))
+    before_decoding(PictureHeader(kind, *picture.size, memory_bytes=_memory(picture, kind)))
     with _sentences(name, kind):
+        # Not earlier: to find a PNG's EXIF, Pillow decodes the picture. Not later: it forgets a TIFF's.
+        turn = orientation(picture)
+        width, height = _stored_size(picture, turn)
+        dpi = file_dpi(picture)
         pixels, changes = pixels_of(picture, name=name)
         if kind != "TIFF":  # Pillow has turned a TIFF itself when it was loaded
             pixels = turned_pixels(pixels, turn)
     notes.extend(changes)
+    if deep:
+        notes.append("Its 16 bits per colour were reduced to 8.")
     if turn != 1:
         notes.append("The picture was turned as its camera or scanner noted.")
         world = world and turned_world(world, orientation=turn, width=width, height=height)
@@ -99,13 +105,13 @@ def _stored_size(picture: ImageFile.ImageFile, turn: int) -> tuple[int, int]:
     return (height, width) if isinstance(picture, TiffImageFile) and turn >= 5 else (width, height)
 
 
-def _memory(picture: ImageFile.ImageFile, kind: str, pixels: int, turn: int) -> int:
+def _memory(picture: ImageFile.ImageFile, kind: str) -> int:
     """Return an upper estimate of the bytes that decoding takes: Pillow's copy, its buffers, and ours."""
+    pixels = picture.width * picture.height
     pillow = 1 if picture.mode in ("1", "L", "P") else 2 if picture.mode.startswith("I;16") else 4
     buffers = {"TIFF": 4, "WEBP": 12, "GIF": 8}.get(kind, 0)  # a TIFF may be one single strip
     ours = 1 if pillow <= 2 and picture.mode != "P" else 3
-    copies = 1 if turn == 1 else 2
-    return pixels * (pillow * copies + buffers + ours * copies)
+    return pixels * (2 * pillow + buffers + 2 * ours)  # twice: it may have to be turned
 
 
 @contextmanager

@@ -21,10 +21,9 @@ def pixels_of(picture: ImageFile.ImageFile, *, name: str) -> tuple[Pixels, list[
 
     Grey stays grey, 1-bit stays bool; a palette of greys becomes grey; transparent parts become white.
     """
-    reduced = any(";16" in str(tile[3]) for tile in picture.tile) and not picture.mode.startswith("I")
     picture.load()
     mode = picture.mode
-    notes = ["Its 16 bits per colour were reduced to 8."] if reduced else []
+    notes: list[str] = []
     if picture.has_transparency_data:
         pixels, transparent = _on_white(picture)
         if transparent:
@@ -38,6 +37,11 @@ def pixels_of(picture: ImageFile.ImageFile, *, name: str) -> tuple[Pixels, list[
         notes.append("Its printing colours (CMYK) were converted to screen colours and may look different.")
     target = {"1": "1", "L": "L", "P": _palette_target(picture)}.get(mode, "RGB")
     return _filled(picture, target), notes
+
+
+def is_deep_colour(picture: ImageFile.ImageFile) -> bool:
+    """Tell whether a picture that is not loaded yet has 16 bits per colour, which Pillow reduces to 8."""
+    return not picture.mode.startswith("I") and any(";16" in str(tile[3]) for tile in picture.tile)
 
 
 def turned_pixels(pixels: Pixels, orientation: int) -> Pixels:

@@ -54,4 +54,5 @@ def draw_svg(
     notes = []
     if source.linked_pictures:
         notes.append("Pictures that the drawing links to but does not contain are not shown.")
-    return PlanImage(pixels, (dpi, dpi) if source.real_size else None, 1, "SVG", tuple(notes))
+    drawn = (pixels.shape[1] / source.width_inch, pixels.shape[0] / source.height_inch)
+    return PlanImage(pixels, drawn if source.real_size else None, 1, "SVG", tuple(notes))
