@@ -105,10 +105,15 @@ def _waited(talk: _Talk, *, name: str, time_limit_s: float) -> Generator[Progres
             drawn = header is not None and header["format"] in ("PDF", "SVG")
             advice = "open it at a lower dpi or " if drawn else ""
             raise InputError(
-                f"{name} took longer than {allowed:.0f} seconds to open and was given up; "
+                f"{name} took longer than {_seconds(allowed)} to open and was given up; "
                 f"{advice}save it in a simpler form."
             )
         yield Progress(min(waited / allowed, 1.0), f"Opening {name}")
+
+
+def _seconds(seconds: float) -> str:
+    whole = max(1, round(seconds))
+    return "1 second" if whole == 1 else f"{whole} seconds"
 
 
 def _environment() -> dict[str, str]:

@@ -11,7 +11,7 @@ A hostile picture can at worst fill or hang this process, which has limits, and 
 
 from __future__ import annotations
 
-import importlib
+import contextlib
 import json
 import os
 import sys
@@ -89,21 +89,18 @@ def _limit_memory(size: int) -> None:
 
 def _limit(name: str, value: int) -> None:
     """Set the soft limit `name` where the system has such limits (Windows has none of them)."""
-    try:
-        resource = importlib.import_module("resource")
-    except ImportError:
-        return
-    number = getattr(resource, name, None)
-    if number is None:
-        return
-    _, hard = resource.getrlimit(number)
-    if hard != resource.RLIM_INFINITY:
-        value = min(value, hard)
-    try:
-        resource.setrlimit(number, (value, hard))
-    except (ValueError, OSError):
+    if sys.platform != "win32":
+        import resource
+
+        number = getattr(resource, name, None)
+        if number is None:
+            return
+        _, hard = resource.getrlimit(number)
+        if hard != resource.RLIM_INFINITY:
+            value = min(value, hard)
         # macOS refuses some limits; the time limit of the caller still holds.
-        return
+        with contextlib.suppress(ValueError, OSError):
+            resource.setrlimit(number, (value, hard))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@ _Complex = npt.NDArray[np.complex128]
 _SMALLEST_SPREAD_PX = 1.0
 # Points are called mirrored if a mirrored fit leaves less than this share of the squared residuals, and
 # the straight one leaves over 1 % of the squared spread: bad clicks alone do neither.
-_MIRRORED_SHARE, _MIRRORED_MISFIT = 0.1, 0.01
+_MIRRORED_SHARE, _MIRRORED_MISFIT = 0.01, 0.01
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,11 @@ from bobdesk.errors import InputError
 from bobdesk.plan.image import BeforeDecoding, PictureHeader, PlanImage, check_page_size, grey_if_grey
 
 _POINTS_PER_INCH = 72.0
+# pdfium gives sizes without it, and has no call that tells it.
+_USER_UNIT = (
+    "The PDF measures its pages in a unit of its own (UserUnit), so a drawing scale and dpi alone may give a "
+    "wrong size; check it by a known distance."
+)
 _WRONG_PASSWORD = (4, 5)  # FPDF_ERR_PASSWORD, FPDF_ERR_SECURITY
 
 
@@ -69,7 +74,8 @@ def draw_pdf_page(
         document.close()
     # The page fills whole pixels, so its dpi is a trace more than was asked for.
     drawn = (pixels.shape[1] / width_pt * _POINTS_PER_INCH, pixels.shape[0] / height_pt * _POINTS_PER_INCH)
-    return PlanImage(pixels, drawn, pages, "PDF")
+    notes = (_USER_UNIT,) if b"/UserUnit" in data else ()
+    return PlanImage(pixels, drawn, pages, "PDF", notes)
 
 
 def _opened(data: bytes, *, name: str) -> pdfium.PdfDocument:

@@ -130,8 +130,8 @@ def _sentences(name: str, kind: str) -> Iterator[None]:
         ) from error
     except SyntaxError as error:
         raise InputError(
-            f"{name} begins like a {kind} picture, but its header is damaged or of a rare kind; "
-            "save it as an ordinary PNG or TIFF."
+            f"{name} begins like a {kind} picture but is damaged, cut off or of a rare kind; copy it again "
+            "or save it as an ordinary PNG or TIFF."
         ) from error
     except Exception as error:
         # Pillow's plugins raise nearly anything at bad bytes (KeyError, TypeError, OverflowError ...).

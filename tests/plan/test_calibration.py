@@ -284,6 +284,14 @@ def test_what_cannot_be_fitted_says_so(points, distances, words):
         fit_calibration(points, distances=distances)
 
 
+def test_one_wrong_point_is_not_called_mirrored():
+    for index in range(5):
+        metres = TRUTH.to_metres(PIXELS[:5])
+        metres[index] = TRUTH.to_metres(PIXELS[5:])[0]
+        points = [ControlPoint(*pixel, *place) for pixel, place in zip(PIXELS[:5], metres, strict=True)]
+        assert fit_calibration(points).rms_m > 1
+
+
 def test_noise_on_points_in_a_line_is_not_called_mirrored():
     rng = np.random.default_rng(3)
     line = np.column_stack([np.linspace(0, 1000, 5), np.linspace(0, 700, 5)])

@@ -163,6 +163,11 @@ def test_a_pdf_page_is_drawn_at_the_dpi_asked_for():
         decode_picture(data, name="plan.pdf", page=3)
 
 
+def test_a_pdf_with_a_unit_of_its_own_is_said():
+    data = made_pdf([""], width=99, height=99).replace(b"/Type/Page/", b"/Type/Page/UserUnit 2.0/")
+    assert "UserUnit" in decode_picture(data, name="plan.pdf").notes[0]
+
+
 def test_a_pdf_too_large_names_the_dpi_that_fits():
     data = made_pdf(["0 0 10 10 re f"], width=5000, height=5000)
     with pytest.raises(InputError, match="draw it at 91 dpi or less") as caught:
