@@ -48,12 +48,15 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
 def affine_sentence(check: AffineCheck) -> str:
     """Return what `check` says about stretch and shear."""
     stretch = 100 * (check.scale_ratio - 1)
-    found = f"{stretch:+.2f} % taller than wide, sheared by {math.degrees(check.shear_rad):+.2f}°"
+    found = (
+        f"On the ground a pixel is {abs(stretch):.2f} % {'longer' if stretch > 0 else 'shorter'} down the picture "
+        f"than across it, and the axes are {abs(math.degrees(check.shear_rad)):.2f}° off a right angle"
+    )
     if check.chance is None:
-        return f"Picture {found}; {NO_ESTIMATE} from three points, so this may be clicking errors alone."
+        return f"{found}; {NO_ESTIMATE} from three points, so this may be clicking errors alone."
     if check.chance >= _PROBABLE:
-        return f"Picture {found}: no more than clicking errors explain."
-    return f"Picture {found}: more than clicking errors explain; the picture or a point is distorted."
+        return f"{found}: no more than clicking errors explain."
+    return f"{found}: more than clicking errors explain; the picture is distorted or a point is wrong."
 
 
 def check_sentence(check: DistanceCheck) -> str:

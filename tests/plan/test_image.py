@@ -350,3 +350,26 @@ def test_what_is_no_picture_is_said(data, words):
 def test_pages_and_dpi_out_of_range(page, dpi):
     with pytest.raises(InputError):
         decode_picture(encoded(Image.fromarray(SMOOTH), "PNG"), name="plan", page=page, dpi=dpi)
+
+
+def test_damaged_bytes_give_a_sentence_or_a_picture_and_nothing_else():
+    rng = np.random.default_rng(4)
+    noise = Image.fromarray(rng.integers(0, 255, (20, 30, 3), dtype=np.uint8))
+    grey = noise.convert("L")
+    seeds = [encoded(noise, kind) for kind in ("PNG", "JPEG", "TIFF", "WEBP", "BMP")]
+    seeds += [encoded(grey, "GIF"), encoded(grey, "TIFF", compression="tiff_lzw"), grey_tiff()]
+    seeds.append(b'<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><path d="M0 0L9 9"/></svg>')
+    pictures, sentences = 0, []
+    for number in range(900):
+        data = bytearray(seeds[number % len(seeds)])
+        for _ in range(int(rng.integers(1, 6))):
+            data[int(rng.integers(0, min(len(data), 200)))] = int(rng.integers(0, 256))
+        if number % 3 == 0:
+            del data[int(rng.integers(1, len(data))) :]
+        try:
+            decode_picture(bytes(data), name="plan", limit_megapixels=1)
+            pictures += 1
+        except InputError as sentence:
+            sentences.append(str(sentence))
+    assert all("plan" in sentence and sentence.endswith(".") for sentence in sentences)
+    assert min(pictures, len(sentences)) > 50
