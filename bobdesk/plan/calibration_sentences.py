@@ -48,9 +48,10 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
 def affine_sentence(check: AffineCheck) -> str:
     """Return what `check` says about stretch and shear."""
     stretch = 100 * (check.scale_ratio - 1)
+    compared = "longer" if stretch > 0 else "shorter"
     found = (
-        f"On the ground a pixel is {abs(stretch):.2f} % {'longer' if stretch > 0 else 'shorter'} down the picture "
-        f"than across it, and the axes are {abs(math.degrees(check.shear_rad)):.2f}° off a right angle"
+        f"On the ground a pixel is {abs(stretch):.2f} % {compared} down the picture than across it, and "
+        f"the axes are {abs(math.degrees(check.shear_rad)):.2f}° off a right angle"
     )
     if check.chance is None:
         return f"{found}; {NO_ESTIMATE} from three points, so this may be clicking errors alone."
