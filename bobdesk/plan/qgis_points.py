@@ -9,10 +9,10 @@ from bobdesk.errors import InputError
 from bobdesk.plan.control_points import ControlPoint
 
 # QGIS counts columns from the picture's left edge and rows, as negative numbers, from its top edge, so
-# the centre of the top left pixel is (0.5, -0.5); ours is (0, 0). See QGIS, src/analysis/georeferencing/
-# and src/app/georeferencer/: qgsgcplist.cpp (saveGcps, loadGcps: the columns, comma or tab, enable
-# optional) and qgsgeoreftransform.cpp, which hands x and -y to GDAL as pixel and line, and those count
-# from the corner (GDAL raster data model, "GCPs").
+# the centre of the top left pixel is (0.5, -0.5); ours is (0, 0). See QGIS's sources: qgsgcplist.cpp
+# (saveGcps, loadGcps: the columns, comma or tab, enable optional) and qgsgcptransformer.cpp, which hands
+# x and -y to GDAL as pixel and line. Those count from the corner of the top left pixel (GDAL, "Raster Data
+# Model", affine geotransform).
 _HALF = 0.5
 _OLD_X, _NEW_X = "pixelx", "sourcex"
 _CRS = "#CRS:"
