@@ -7,6 +7,11 @@ import sys
 
 def main() -> int:
     """Run the command in `sys.argv` and return its exit status."""
+    if sys.argv[1:2] == ["--picture-worker"]:
+        # A frozen program has no Python to start its helper process with: it starts itself.
+        from bobdesk.files.picture_worker import main as decode
+
+        return decode()
     from bobdesk.cli.main import run
 
     return run(sys.argv[1:])

@@ -148,7 +148,9 @@ def command(
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
-        files[picture] = draw_line(line, shown, in_scale(given.targets, solution.scale), title=plan.name, kind=picture.suffix.lower())
+        files[picture] = draw_line(
+            line, shown, in_scale(given.targets, solution.scale), title=plan.name, kind=picture.suffix.lower()
+        )
     if report is not None:
         off = deviations(found, targets)
         files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))

@@ -170,9 +170,7 @@ class _Talk(threading.Thread):
         if "error" in self._answer:
             raise InputError(self._answer["error"])
         if self._pixels is None:
-            raise InputError(
-                f"{name} could not be opened: it is damaged, or takes more memory than a picture may."
-            )
+            raise InputError(f"{name} could not be opened: it is damaged, or takes more memory than a picture may.")
         told = self._answer["picture"]
         return PlanImage(
             pixels=self._pixels,

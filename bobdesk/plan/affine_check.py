@@ -69,9 +69,7 @@ def check_affine(points: Sequence[ControlPoint]) -> AffineCheck:
         )
     matrix = np.linalg.lstsq(pixels, metres, rcond=None)[0].T
     if np.linalg.det(matrix) <= 0:
-        raise InputError(
-            "The control points are mirrored or have no extent in metres; check their positions."
-        )
+        raise InputError("The control points are mirrored or have no extent in metres; check their positions.")
     squares = float(np.sum((metres - pixels @ matrix.T) ** 2))
     freedom = 2 * len(used) - 6
     scale_x, scale_y = (float(size) for size in np.linalg.norm(matrix, axis=0))

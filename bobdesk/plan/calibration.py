@@ -47,9 +47,7 @@ class Calibration:
 
     def __post_init__(self) -> None:
         if not (math.isfinite(self.metres_per_pixel) and self.metres_per_pixel > 0):
-            raise InputError(
-                f"The scale must be a positive number of metres per pixel, not {self.metres_per_pixel:g}."
-            )
+            raise InputError(f"The scale must be a positive number of metres per pixel, not {self.metres_per_pixel:g}.")
 
     @property
     def _factor(self) -> complex:
@@ -122,8 +120,7 @@ def calibration_from_world(world: PixelToWorld, *, name: str) -> Calibration:
     mirrored = complex(a + e, d - b) / 2  # of x + iy
     if abs(mirrored) > abs(factor):
         raise InputError(
-            f"{name} says that the picture is mirrored, which would swap left and right curves; "
-            "check its signs."
+            f"{name} says that the picture is mirrored, which would swap left and right curves; check its signs."
         )
     if abs(mirrored) > _SQUARE_WITHIN / 2 * abs(factor):
         raise InputError(
@@ -162,9 +159,7 @@ class DistanceCheck:
         return 100 * self.difference_m / self.known_m
 
 
-def check_distances(
-    calibration: Calibration, distances: Iterable[KnownDistance]
-) -> tuple[DistanceCheck, ...]:
+def check_distances(calibration: Calibration, distances: Iterable[KnownDistance]) -> tuple[DistanceCheck, ...]:
     """Return each distance beside what `calibration` makes of its clicks.
 
     Raises
@@ -175,6 +170,5 @@ def check_distances(
     if not calibration.scale_known:
         raise InputError("The scale is unknown, so there is nothing to check a distance against.")
     return tuple(
-        DistanceCheck(known.name, known.length_px * calibration.metres_per_pixel, known.length_m)
-        for known in distances
+        DistanceCheck(known.name, known.length_px * calibration.metres_per_pixel, known.length_m) for known in distances
     )

@@ -115,9 +115,7 @@ class _Solution:
         return math.sqrt(self.mean_square) if self.freedom > 0 else None
 
 
-def fit_calibration(
-    points: Sequence[ControlPoint] = (), *, distances: Sequence[KnownDistance] = ()
-) -> CalibrationFit:
+def fit_calibration(points: Sequence[ControlPoint] = (), *, distances: Sequence[KnownDistance] = ()) -> CalibrationFit:
     """Return the calibration that fits the used `points` and `distances` best, by least squares.
 
     Every click is taken as equally exact and the known metres as exact. Then a distance, between two
@@ -217,8 +215,7 @@ def _solve(
     scale = (abs(product) + float(length_px @ length_m) / 2) / spread if spread > 0 else 0.0
     if not scale > 0:
         raise InputError(
-            "The control points give no scale: their places in the picture have nothing to do "
-            "with their metres."
+            "The control points give no scale: their places in the picture have nothing to do with their metres."
         )
     factor = scale * direction
     of_points = float(np.sum(np.abs(from_metres - factor * from_pixels) ** 2))
@@ -256,9 +253,7 @@ def _distance_residual(known: KnownDistance, scale: float) -> DistanceResidual:
     return DistanceResidual(known.name, known.used, plan, known.length_m, plan - known.length_m)
 
 
-def _worst(
-    points: Sequence[ControlPoint], distances: Sequence[KnownDistance], solution: _Solution
-) -> Worst | None:
+def _worst(points: Sequence[ControlPoint], distances: Sequence[KnownDistance], solution: _Solution) -> Worst | None:
     """Return what spoils the fit most: what remains without it has the smallest variance.
 
     That is the largest residual after allowing for how strongly a point far out pulls the fit to itself.

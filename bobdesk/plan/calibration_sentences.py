@@ -17,9 +17,7 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
     points = sum(point.used for point in fit.points)
     distances = sum(known.used for known in fit.distances)
     given = " and ".join(
-        _counted(count, noun)
-        for count, noun in ((points, "control point"), (distances, "known distance"))
-        if count
+        _counted(count, noun) for count, noun in ((points, "control point"), (distances, "known distance")) if count
     )
     if fit.rms_m is None or fit.rms_px is None:
         return (
@@ -33,9 +31,7 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
     ]
     if plan_length_m is not None:
         sigma = plan_length_sigma(fit.calibration, plan_length_m)
-        sentences.append(
-            f"Plan length {plan_length_m:.1f} m ± {sigma:.2g} m (1 sigma, from the scale alone)."
-        )
+        sentences.append(f"Plan length {plan_length_m:.1f} m ± {sigma:.2g} m (1 sigma, from the scale alone).")
     if fit.worst is not None:
         worst = f"point {fit.worst.name}" if fit.worst.name else "one point"
         if fit.worst.rms_without_m is None:

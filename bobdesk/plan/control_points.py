@@ -36,12 +36,9 @@ class ControlPoint:
 
     def __post_init__(self) -> None:
         if not all(
-            math.isfinite(value) and abs(value) < _LARGEST
-            for value in (self.x_px, self.y_px, self.x_m, self.y_m)
+            math.isfinite(value) and abs(value) < _LARGEST for value in (self.x_px, self.y_px, self.x_m, self.y_m)
         ):
-            raise InputError(
-                f"Control point {self.name or 'without a name'} has a position that is no number."
-            )
+            raise InputError(f"Control point {self.name or 'without a name'} has a position that is no number.")
 
 
 @dataclass(frozen=True)

@@ -125,9 +125,7 @@ def decode_picture(
     """
     kind = picture_format(data, name=name)
     if not DPI_RANGE[0] <= dpi <= DPI_RANGE[1]:
-        raise InputError(
-            f"A page can be drawn at {DPI_RANGE[0]:.0f} to {DPI_RANGE[1]:.0f} dpi, not at {dpi:g}."
-        )
+        raise InputError(f"A page can be drawn at {DPI_RANGE[0]:.0f} to {DPI_RANGE[1]:.0f} dpi, not at {dpi:g}.")
     if page < 1:
         raise InputError(f"Pages count from 1; {name} has no page {page}.")
     tell = before_decoding or (lambda _: None)
@@ -138,9 +136,7 @@ def decode_picture(
         if kind == "PDF":
             from bobdesk.plan.pdf_page import draw_pdf_page
 
-            return draw_pdf_page(
-                data, name=name, page=page, dpi=dpi, limit_megapixels=page_limit, before_decoding=tell
-            )
+            return draw_pdf_page(data, name=name, page=page, dpi=dpi, limit_megapixels=page_limit, before_decoding=tell)
         if kind == "SVG":
             from bobdesk.plan.svg_page import draw_svg
 

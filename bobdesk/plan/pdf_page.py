@@ -84,7 +84,6 @@ def _opened(data: bytes, *, name: str) -> pdfium.PdfDocument:
     except pdfium.PdfiumError as error:
         if error.err_code in _WRONG_PASSWORD:
             raise InputError(
-                f"{name} is protected by a password; save a copy without one, for example "
-                "by printing it as PDF."
+                f"{name} is protected by a password; save a copy without one, for example by printing it as PDF."
             ) from error
         raise InputError(f"{name} is damaged or ends too early, so it cannot be read as a PDF.") from error

@@ -92,8 +92,7 @@ def _heading(line: str, *, name: str, number: int) -> list[str]:
     heading = [cell.lower() for cell in _cells(line)]
     if heading[:2] != ["mapx", "mapy"] or heading[2:3] not in ([_OLD_X], [_NEW_X]):
         raise InputError(
-            f"{name}, line {number}: a QGIS .points file begins with mapX,mapY,sourceX,sourceY, "
-            f"not with {line[:40]!r}."
+            f"{name}, line {number}: a QGIS .points file begins with mapX,mapY,sourceX,sourceY, not with {line[:40]!r}."
         )
     return heading
 

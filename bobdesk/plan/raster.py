@@ -125,8 +125,7 @@ def _sentences(name: str, kind: str) -> Iterator[None]:
         raise InputError(f"There is not enough memory to open {name}.") from error
     except (EOFError, struct.error, zlib.error, OSError) as error:
         raise InputError(
-            f"{name} is damaged or ends too early, so it cannot be read as a {kind} picture; "
-            "copy or export it again."
+            f"{name} is damaged or ends too early, so it cannot be read as a {kind} picture; copy or export it again."
         ) from error
     except SyntaxError as error:
         raise InputError(

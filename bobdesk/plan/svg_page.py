@@ -46,9 +46,7 @@ def draw_svg(
             skip_system_fonts=not source.has_text,
         )
     except (ValueError, MemoryError) as error:
-        raise InputError(
-            f"{name} cannot be drawn: the SVG is damaged or repeats its own parts without end."
-        ) from error
+        raise InputError(f"{name} cannot be drawn: the SVG is damaged or repeats its own parts without end.") from error
     pixels, _ = pixels_of(PngImageFile(io.BytesIO(png)), name=name)
     pixels = grey_if_grey(pixels.astype(np.uint8, copy=False))
     notes = []

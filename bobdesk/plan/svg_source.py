@@ -62,9 +62,7 @@ def read_svg(data: bytes, *, name: str, dpi: float) -> SvgSource:
         raise InputError(f"{name} is an XML file but not an SVG drawing.")
     elements = sum(1 for _ in root.iter())
     if _drawn_elements(root) - elements > _LIMIT_COPIES:
-        raise InputError(
-            f"{name} repeats its parts more than {_LIMIT_COPIES:,} times by <use> and is not opened."
-        )
+        raise InputError(f"{name} repeats its parts more than {_LIMIT_COPIES:,} times by <use> and is not opened.")
     width, height, real_size = _size(root, name=name)
     linked = _without_links(root)
     _resize(root, width_inch=width, height_inch=height, dpi=dpi)
@@ -83,9 +81,7 @@ def _unpacked(data: bytes, *, name: str) -> bytes:
         if not unpacker.eof and len(data) <= _LIMIT_BYTES:
             raise InputError(f"{name} ends too early, so it cannot be unpacked as a compressed SVG.")
     if len(data) > _LIMIT_BYTES:
-        raise InputError(
-            f"{name} is too large for an SVG drawing (over {_LIMIT_BYTES // 1_000_000} MB of text)."
-        )
+        raise InputError(f"{name} is too large for an SVG drawing (over {_LIMIT_BYTES // 1_000_000} MB of text).")
     return data
 
 
@@ -109,9 +105,7 @@ def _parsed(data: bytes, *, name: str) -> Element:
             f"{name}, line {line}, column {column + 1}: the SVG drawing is damaged or ends too early."
         ) from error
     except (ValueError, LookupError) as error:
-        raise InputError(
-            f"{name} is written in an encoding that cannot be read; save it as UTF-8."
-        ) from error
+        raise InputError(f"{name} is written in an encoding that cannot be read; save it as UTF-8.") from error
     if root is None:
         raise InputError(f"{name} is an XML file but not an SVG drawing.")
     return root

@@ -33,8 +33,7 @@ def parse_world_file(text: str, *, name: str) -> PixelToWorld:
             numbers.append(float(line.replace(",", ".")))
         except ValueError:
             raise InputError(
-                f"{name}, line {number}: {line[:40]!r} is not a number, so the picture gets no "
-                "position from it."
+                f"{name}, line {number}: {line[:40]!r} is not a number, so the picture gets no position from it."
             ) from None
     a, d, b, e, c, f = numbers
     return checked_world(PixelToWorld(a, b, c, d, e, f), name=name)

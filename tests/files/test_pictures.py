@@ -139,17 +139,13 @@ def pattern_bomb() -> bytes:
     parts = []
     for level in range(1, 12):
         boxes = f'<rect width="2" height="2" fill="url(#p{level - 1})"/>' * 10
-        parts.append(
-            f'<pattern id="p{level}" width="3" height="3" patternUnits="userSpaceOnUse">{boxes}</pattern>'
-        )
+        parts.append(f'<pattern id="p{level}" width="3" height="3" patternUnits="userSpaceOnUse">{boxes}</pattern>')
     box = '<rect width="99" height="99" fill="url(#p11)"/>'
     return f"<svg {SVG}><defs>{''.join(parts)}</defs>{box}</svg>".encode()
 
 
 def laughs() -> bytes:
-    entities = '<!ENTITY a0 "ha">' + "".join(
-        f'<!ENTITY a{level} "{f"&a{level - 1};" * 10}">' for level in range(1, 10)
-    )
+    entities = '<!ENTITY a0 "ha">' + "".join(f'<!ENTITY a{level} "{f"&a{level - 1};" * 10}">' for level in range(1, 10))
     return f"<!DOCTYPE svg [{entities}]><svg {SVG}><text>&a9;</text></svg>".encode()
 
 
@@ -160,9 +156,7 @@ def outside() -> bytes:
 
 def slow_pdf() -> bytes:
     """A page of 400,000 boxes, each over most of it."""
-    return made_pdf(
-        ["0 0 0 rg " + "0 0 9000 9000 re 10 10 8000 8000 re f* " * 200_000], width=900, height=900
-    )
+    return made_pdf(["0 0 0 rg " + "0 0 9000 9000 re 10 10 8000 8000 re f* " * 200_000], width=900, height=900)
 
 
 HOSTILE = {
@@ -298,9 +292,7 @@ def test_a_program_that_starts_itself_gets_the_picture(monkeypatch):
 
 def test_a_process_that_dies_is_a_sentence(monkeypatch):
     for command in ("import sys; sys.exit(3)", "import os; os.abort()", "print('{\"picture\": 1')"):
-        monkeypatch.setattr(
-            picture_process, "worker_command", lambda run=command: [sys.executable, "-c", run]
-        )
+        monkeypatch.setattr(picture_process, "worker_command", lambda run=command: [sys.executable, "-c", run])
         with pytest.raises(InputError, match=r"plan\.png could not be opened"):
             finish(decode_in_process(b"x" * 5_000_000, name="plan.png"))
 

@@ -15,9 +15,7 @@ def made_pdf(pages: list[str], *, width: float, height: float, password: str = "
     trailer = f"/Root 1 0 R/Size {len(objects) + 1 + bool(password)}"
     if password:
         owner, user = bytes(range(32)), _user_key(password)
-        objects.append(
-            b"<</Filter/Standard/V 1/R 2/P -4/O<%s>/U<%s>>>" % (owner.hex().encode(), user.hex().encode())
-        )
+        objects.append(b"<</Filter/Standard/V 1/R 2/P -4/O<%s>/U<%s>>>" % (owner.hex().encode(), user.hex().encode()))
         trailer += f"/Encrypt {len(objects)} 0 R/ID[<{'00' * 16}><{'00' * 16}>]"
     data = b"%PDF-1.4\n"
     offsets = []

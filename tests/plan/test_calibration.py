@@ -64,9 +64,7 @@ def test_agrees_with_a_general_least_squares_solver():
     for point in points:
         design += [[point.x_px, point.y_px, 1, 0], [-point.y_px, point.x_px, 0, 1]]
         known += [point.x_m, point.y_m]
-    (real, imaginary, east, north), squares, *_ = np.linalg.lstsq(
-        np.array(design), np.array(known), rcond=None
-    )
+    (real, imaginary, east, north), squares, *_ = np.linalg.lstsq(np.array(design), np.array(known), rcond=None)
     fit = fit_calibration(points)
     assert fit.calibration.metres_per_pixel == pytest.approx(math.hypot(real, imaginary), rel=1e-9)
     assert fit.calibration.rotation_rad == pytest.approx(math.atan2(imaginary, real), abs=1e-9)
@@ -89,9 +87,7 @@ def test_points_with_distances_agree_with_scipy():
         of_distances = [(guess[0] * item.length_px - item.length_m) / math.sqrt(2) for item in known]
         return [*of_points.ravel(), *of_distances]
 
-    best = least_squares(
-        residuals, [0.5, -0.5, 290, 210], x_scale=[0.1, 0.1, 100, 100], xtol=1e-14, ftol=1e-14
-    )
+    best = least_squares(residuals, [0.5, -0.5, 290, 210], x_scale=[0.1, 0.1, 100, 100], xtol=1e-14, ftol=1e-14)
     fit = fit_calibration(points, distances=known)
     calibration = fit.calibration
     assert (calibration.metres_per_pixel, calibration.rotation_rad, *calibration.origin_m) == pytest.approx(
@@ -105,9 +101,7 @@ def test_points_with_distances_agree_with_scipy():
 
 def test_residuals_point_from_the_known_place_to_the_click():
     points = points_at(calibration_from_scale(0.5), PIXELS)
-    moved = ControlPoint(
-        points[4].x_px + 3, points[4].y_px + 4, points[4].x_m, points[4].y_m, "5", used=False
-    )
+    moved = ControlPoint(points[4].x_px + 3, points[4].y_px + 4, points[4].x_m, points[4].y_m, "5", used=False)
     fit = fit_calibration([*points[:4], moved, points[5]])
     residual = fit.points[4]
     assert not residual.used
@@ -164,16 +158,12 @@ def test_with_the_fewest_there_is_no_error_estimate(points, distances):
 def test_one_distance_gives_the_scale_and_nothing_else():
     fit = fit_calibration(distances=[distance((10, 10), (40, 50), 25.0)])
     assert fit.calibration.metres_per_pixel == pytest.approx(0.5)
-    assert fit.calibration.to_metres([[0, 0], [2, 0], [0, 2]]) == pytest.approx(
-        np.array([[0, 0], [1, 0], [0, -1]])
-    )
+    assert fit.calibration.to_metres([[0, 0], [2, 0], [0, 2]]) == pytest.approx(np.array([[0, 0], [1, 0], [0, -1]]))
 
 
 def test_one_point_and_a_distance_give_scale_and_position():
     fit = fit_calibration([ControlPoint(10, 20, 500, 700)], distances=[distance((10, 10), (40, 50), 25.0)])
-    assert fit.calibration.to_metres([[10, 20], [12, 20]]) == pytest.approx(
-        np.array([[500, 700], [501, 700]])
-    )
+    assert fit.calibration.to_metres([[10, 20], [12, 20]]) == pytest.approx(np.array([[500, 700], [501, 700]]))
 
 
 def draws(count: int, sigma_px: float, distances_used: bool) -> list[CalibrationFit]:
@@ -221,9 +211,7 @@ def test_the_plan_lengths_sigma_is_the_scatter_of_plan_lengths():
     length_px = 2500.0
     fits = draws(1000, 2.0, False)
     lengths = np.array([length_px * fit.calibration.metres_per_pixel for fit in fits])
-    said = np.array(
-        [plan_length_sigma(fit.calibration, length) for fit, length in zip(fits, lengths, strict=True)]
-    )
+    said = np.array([plan_length_sigma(fit.calibration, length) for fit, length in zip(fits, lengths, strict=True)])
     assert math.sqrt((said**2).mean()) == pytest.approx(lengths.std(ddof=1), rel=0.1)
 
 
