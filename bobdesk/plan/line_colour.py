@@ -1,0 +1,81 @@
+"""The colour of a line from clicks on it, and how much of that colour each pixel holds."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from bobdesk.arrays import FloatArray
+from bobdesk.plan.raster import Float32Array
+from bobdesk.plan.work_copy import WorkCopy
+
+# Lab distances: two clicks on one colour agree within this …
+_SAME_COLOUR = 25.0
+# … and this much off the way from background to line colour is another colour (1 sigma).
+_OFF_COLOUR = 22.0
+# Lightness counts less than hue: shadows and scans change it along a line.
+_LIGHTNESS_WEIGHT = 0.7
+
+
+def contrast(colours: Float32Array, background: Float32Array) -> Float32Array:
+    """Distance (...,) of Lab colours (..., c) from their background, lightness counted less."""
+    difference = colours - background
+    if difference.shape[-1] == 3:
+        difference = difference * np.array([_LIGHTNESS_WEIGHT, 1.0, 1.0], dtype=np.float32)
+    return np.asarray(np.linalg.norm(difference, axis=-1), dtype=np.float32)
+
+
+def colour_at(copy: WorkCopy, click: FloatArray, *, radius: float = 6.0) -> Float32Array:
+    """Return the Lab colour (c,) of the line under `click` (copy pixels).
+
+    It is the median of the pixels that differ most from the background, near ones first; the search widens
+    up to 4 times while nothing stands out, as between two edges that are far apart.
+    """
+    height, width = copy.colours.shape[:2]
+    x = float(np.clip(click[0], 0, width - 1))
+    y = float(np.clip(click[1], 0, height - 1))
+    for reach in (radius, 2 * radius, 4 * radius):
+        outer = int(3 * reach)
+        top, left = max(0, int(y) - outer), max(0, int(x) - outer)
+        window = (slice(top, int(y) + outer + 1), slice(left, int(x) + outer + 1))
+        colours = copy.colours[window]
+        rows, columns = np.mgrid[0 : colours.shape[0], 0 : colours.shape[1]]
+        squares = (columns + left - x) ** 2 + (rows + top - y) ** 2
+        stands_out = contrast(colours, copy.background[window])
+        near = squares <= reach**2
+        weighted = np.where(near, stands_out * np.exp(-squares / (2 * (0.5 * reach) ** 2)), -1.0)
+        count = max(3, int(0.04 * near.sum()))
+        best = np.argpartition(weighted.ravel(), -count)[-count:]
+        colour = np.median(colours.reshape(-1, colours.shape[2])[best], axis=0)
+        if np.median(stands_out.ravel()[best]) > 3.0 * np.median(stands_out) + 4.0:
+            break
+    return np.asarray(colour, dtype=np.float32)
+
+
+def line_colours(copy: WorkCopy, clicks: FloatArray) -> list[Float32Array]:
+    """Return the one colour that the clicks (n, 2), copy pixels, agree on, or all where they differ."""
+    groups: list[list[Float32Array]] = []
+    for click in clicks:
+        colour = colour_at(copy, click)
+        for group in groups:
+            if np.linalg.norm(np.mean(group, axis=0) - colour) < _SAME_COLOUR:
+                group.append(colour)
+                break
+        else:
+            groups.append([colour])
+    return [np.asarray(np.mean(group, axis=0), dtype=np.float32) for group in groups]
+
+
+def ink(colours: Float32Array, background: Float32Array, line: Float32Array) -> Float32Array:
+    """Return how much line colour there is: 0 as the background, 1 as the line; shape (...,).
+
+    The colour is projected on the way from `background` to `line` (Lab, broadcast); what lies off that way
+    is another thing, and what goes far beyond (a black label on a grey line) is damped.
+    """
+    way = line - background
+    length = (way * way).sum(axis=-1) + np.float32(40.0)
+    difference = colours - background
+    share = (difference * way).sum(axis=-1) / length
+    off = difference - share[..., None] * way
+    damping = (off * off).sum(axis=-1) / np.float32(2 * _OFF_COLOUR**2)
+    damping += np.clip(share - np.float32(1.25), 0, None) ** 2 * np.float32(2.0)
+    return np.asarray(np.clip(share, 0, 1.15) * np.exp(-damping), dtype=np.float32)
