@@ -21,7 +21,7 @@ from bobdesk.plan.raster import Float32Array
 Pixel = tuple[int, int]
 
 # About 0.1 s of Dijkstra; a larger graph is not tried at full size.
-_MOST_NODES = 300_000
+_MOST_NODES = 250_000
 # Steps along a line that has been used by an earlier leg cost this much more: a second via in a loop
 # sends the line around it and not back the way it came.
 _USED_AGAIN = 3.0

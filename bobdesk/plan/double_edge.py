@@ -137,10 +137,14 @@ def best_way(score: Float32Array) -> Generator[float, None, FloatArray]:
     return way
 
 
-def centred(
+def _rough(path: FloatArray) -> FloatArray:
+    return gaussian_smoothed(resampled(gaussian_smoothed(path, sigma=2.0), step=_ALONG), sigma=2.0)
+
+
+def section_along(
     ink: Float32Array, path: FloatArray, *, kind: str = "auto", furthest: float = 24.0
-) -> Generator[float, None, tuple[FloatArray, CrossSection]]:
-    """Move a rough path (n, 2), copy pixels, to the middle of its line.
+) -> CrossSection:
+    """Return what the line along a rough path (n, 2), copy pixels, looks like.
 
     Parameters
     ----------
@@ -151,14 +155,19 @@ def centred(
     furthest
         Largest distance of two edges that is looked for, copy pixels.
     """
-    rough = resampled(gaussian_smoothed(path, sigma=2.0), step=_ALONG)
-    rough = gaussian_smoothed(rough, sigma=2.0)
-    profiles = ink_across(ink, rough, reach=2 * furthest)
-    yield 0.3
-    section = cross_section(profiles)
+    section = cross_section(ink_across(ink, _rough(path), reach=2 * furthest))
     if kind == "single" and section.edges is not None:
-        section = CrossSection(width=section.width - section.edges, edges=None)
-    yield 0.5
+        return CrossSection(width=section.width - section.edges, edges=None)
+    return section
+
+
+def centred(
+    ink: Float32Array, path: FloatArray, *, section: CrossSection
+) -> Generator[float, None, FloatArray]:
+    """Move a rough path (n, 2), copy pixels, to the middle of its line."""
+    rough = _rough(path)
+    profiles = ink_across(ink, rough, reach=1.5 * section.width + 8.0)
+    yield 0.3
     score = middle_score(profiles, section=section)
     middle = profiles.shape[1] // 2
     reach = int(((section.edges or 0.0) + _PATH_ERROR) / _ACROSS)
@@ -167,4 +176,14 @@ def centred(
     way = yield from best_way(near)
     shift = ndimage.gaussian_filter1d((way - reach) * _ACROSS, 2.0, mode="nearest")
     moved = rough + normals(gaussian_smoothed(rough, sigma=2.0)) * shift[:, None]
-    return gaussian_smoothed(resampled(moved, step=_ALONG), sigma=1.5), section
+    return gaussian_smoothed(resampled(moved, step=_ALONG), sigma=1.5)
+
+
+def filled(ink: Float32Array, *, edges: float) -> Generator[float, None, Float32Array]:
+    """Return the ink (h, w) with the space between two edges filled: a band, whole also where lines cross."""
+    size = int(np.ceil(edges)) + 2
+    wide = ndimage.maximum_filter(ink, size=size, mode="nearest")
+    yield 0.5
+    closed = ndimage.minimum_filter(wide, size=size, mode="nearest", origin=0 if size % 2 else -1)
+    yield 1.0
+    return np.asarray(closed, dtype=np.float32)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 import numpy as np
+import numpy.typing as npt
 from scipy import ndimage
 
 from bobdesk.arrays import FloatArray
@@ -38,28 +39,32 @@ def ridge(ink: Float32Array, *, sigma: float) -> Generator[float, None, Float32A
     return np.asarray(strength, dtype=np.float32)
 
 
-def scale_at(ink: Float32Array, clicks: FloatArray, *, reach: float = 7.0) -> tuple[float, float]:
-    """Return the ridge scale that answers most around the clicks (n, 2), and its strength there."""
-    answers = np.zeros((len(clicks), len(SCALES)))
-    for index, (x, y) in enumerate(clicks):
-        outer = int(4 * SCALES[-1] + reach)
+def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach: float = 7.0) -> float:
+    """Return the ridge strength at `sigma` around the clicks (n, 2), the median of their maxima."""
+    answers = []
+    outer = int(4 * sigma + 2 * reach)
+    for x, y in clicks:
         column = int(np.clip(x, 0, ink.shape[1] - 1))
         row = int(np.clip(y, 0, ink.shape[0] - 1))
         top, left = max(0, row - outer), max(0, column - outer)
         window = ink[top : row + outer + 1, left : column + outer + 1]
         rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
         near = np.exp(-((rows + top - y) ** 2 + (columns + left - x) ** 2) / (2 * (0.5 * reach) ** 2))
-        for scale, sigma in enumerate(SCALES):
-            job = ridge(window, sigma=sigma)
-            while True:
-                try:
-                    next(job)
-                except StopIteration as end:
-                    answers[index, scale] = float((end.value * near).max())
-                    break
-    typical = np.median(answers, axis=0)
-    best = int(typical.argmax())
-    return SCALES[best], float(typical[best])
+        job = ridge(window, sigma=sigma)
+        while True:
+            try:
+                next(job)
+            except StopIteration as end:
+                answers.append(float((end.value * near).max()))
+                break
+    return float(np.median(answers))
+
+
+def scale_at(ink: Float32Array, clicks: FloatArray) -> tuple[float, float]:
+    """Return the ridge scale that answers most around the clicks (n, 2), and its strength there."""
+    strengths = [strength_near(ink, clicks, sigma=sigma) for sigma in SCALES]
+    best = int(np.argmax(strengths))
+    return SCALES[best], strengths[best]
 
 
 def ridge_score(
@@ -81,4 +86,15 @@ def ridge_score(
 
 def step_cost(score: Float32Array) -> Float32Array:
     """Cost of a step of one pixel: nearly 1 on the line, 50 far from any."""
-    return np.asarray(1.0 / (np.float32(_FLOOR) + score), dtype=np.float32)
+    return np.asarray(1.0 / (np.float32(_FLOOR) + score * score), dtype=np.float32)
+
+
+def ridge_normals(
+    ink: Float32Array, rows: npt.NDArray[np.intp], columns: npt.NDArray[np.intp], *, sigma: float = 1.5
+) -> FloatArray:
+    """Angle (n,) from +x towards +y of the normal of the ridge at some pixels, 0 to pi."""
+    xx = ndimage.gaussian_filter(ink, sigma, order=(0, 2))[rows, columns]
+    yy = ndimage.gaussian_filter(ink, sigma, order=(2, 0))[rows, columns]
+    xy = ndimage.gaussian_filter(ink, sigma, order=(1, 1))[rows, columns]
+    # The ink bends down most along the normal.
+    return np.asarray((0.5 * np.arctan2(-2.0 * xy, yy - xx)) % np.pi, dtype=np.float64)

@@ -12,12 +12,14 @@ import numpy.typing as npt
 from bobdesk.arrays import FloatArray, IntArray, frozen
 from bobdesk.errors import InputError
 from bobdesk.plan.cheapest_path import Pixel, cheapest_path, path_points
-from bobdesk.plan.double_edge import centred
+from bobdesk.plan.double_edge import CrossSection, centred, filled, section_along
+from bobdesk.plan.gaps import bridged, typical_gap
 from bobdesk.plan.line_colour import ink, line_colours
 from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_station, part_between
 from bobdesk.plan.raster import Float32Array, Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
-from bobdesk.plan.ridge import ridge_score, scale_at, step_cost
+from bobdesk.plan.ridge import ridge_score, scale_at, step_cost, strength_near
+from bobdesk.plan.straight_lines import without_straight_lines
 from bobdesk.plan.work_copy import WorkCopy, work_copy
 from bobdesk.progress import Progress
 
@@ -132,12 +134,50 @@ def _ink_and_score(
     copy: WorkCopy, clicks: FloatArray
 ) -> Generator[float, None, tuple[Float32Array, Float32Array]]:
     share = np.zeros(copy.colours.shape[:2], dtype=np.float32)
+    rows = max(1, 150_000 // share.shape[1])
     for colour in line_colours(copy, clicks):
-        np.maximum(share, ink(copy.colours, copy.background, colour), out=share)
-        yield 0.1
+        for first in range(0, len(share), rows):
+            part = slice(first, first + rows)
+            found = ink(copy.colours[part], copy.background[part], colour)
+            share[part] = np.maximum(share[part], found)
+            yield 0.0
     sigma, strength = scale_at(share, clicks)
     score = yield from ridge_score(share, sigmas=(sigma / 1.3, sigma * 1.3), reference=0.8 * strength)
+    score = yield from without_straight_lines(score, share)
     return share, score
+
+
+@dataclass(frozen=True, eq=False)
+class _RoughWay:
+    """A path on the copy: (n, 2) pixels, what the line looks like across, the length of its gaps or 0."""
+
+    points: FloatArray
+    section: CrossSection
+    gap: float
+
+
+def _rough_way(
+    share: Float32Array, score: Float32Array, clicks: FloatArray, *, settings: TraceSettings
+) -> Generator[float, None, _RoughWay]:
+    """Find the way; once more when it proves to run along two edges or dashes, with these joined."""
+    stops = [snapped(score, click, reach=settings.snap_px) for click in clicks]
+    points = path_points((yield from cheapest_path(step_cost(score), score, stops)))
+    section = section_along(share, points, kind=settings.line)
+    yield 0.5
+    gap = 0.0
+    if section.edges is not None:
+        band = yield from filled(share, edges=section.edges)
+        sigma = 0.4 * section.width
+        strength = strength_near(band, clicks, sigma=sigma)
+        better = yield from ridge_score(band, sigmas=(sigma,), reference=0.8 * strength)
+    else:
+        gap = typical_gap(score, points)
+        if gap == 0.0:
+            return _RoughWay(points, section, gap)
+        better = yield from bridged(score, share, gap=gap)
+    stops = [snapped(better, click, reach=settings.snap_px) for click in clicks]
+    points = path_points((yield from cheapest_path(step_cost(better), better, stops)))
+    return _RoughWay(points, section, gap)
 
 
 def _cut_to_clicks(
@@ -186,13 +226,13 @@ def trace_line(
     share, score = yield from _stage(
         _ink_and_score(copy, stops_at), "Looking for the line", start=0.3, end=0.5
     )
-    stops = [snapped(score, click, reach=settings.snap_px) for click in stops_at]
-    legs = yield from _stage(
-        cheapest_path(step_cost(score), score, stops), "Following the line", start=0.5, end=0.7
+    rough = yield from _stage(
+        _rough_way(share, score, stops_at, settings=settings), "Following the line", start=0.5, end=0.7
     )
-    middle, section = yield from _stage(
-        centred(share, path_points(legs), kind=settings.line), "Finding the middle", start=0.7, end=0.8
+    middle = yield from _stage(
+        centred(share, rough.points, section=rough.section), "Finding the middle", start=0.7, end=0.8
     )
+    section = rough.section
     width = section.width / copy.scale
     slack = settings.snap_px / copy.scale
     path = extended(copy.to_picture(middle), length=slack + width, step=settings.step_px)
@@ -203,5 +243,5 @@ def trace_line(
         end=1.0,
     )
     points, fit, strength = _cut_to_clicks(line, places, slack=slack + width, step=settings.step_px)
-    kind: Kind = "double" if section.edges is not None else "single"
+    kind: Kind = "dashed" if rough.gap else "double" if section.edges is not None else "single"
     return Trace(frozen(points), frozen(fit), line.width, kind, (), np.zeros((0, 2), dtype=np.int64))
