@@ -51,11 +51,27 @@ def colour_at(copy: WorkCopy, click: FloatArray, *, radius: float = 6.0) -> Floa
     return np.asarray(colour, dtype=np.float32)
 
 
+def fill_at(copy: WorkCopy, click: FloatArray) -> Float32Array | None:
+    """Return the colour (c,) of a wide line's fill if `click` lies on one: 3 x 3 pixels of one colour."""
+    height, width = copy.colours.shape[:2]
+    row = int(np.clip(round(float(click[1])), 1, height - 2))
+    column = int(np.clip(round(float(click[0])), 1, width - 2))
+    patch = copy.colours[row - 1 : row + 2, column - 1 : column + 2].reshape(9, -1)
+    colour = np.asarray(np.median(patch, axis=0), dtype=np.float32)
+    spread = float(np.linalg.norm(patch - colour, axis=1).max())
+    stands_out = float(contrast(colour, copy.background[row, column]))
+    return colour if stands_out > max(12.0, 3.0 * spread) else None
+
+
 def line_colours(copy: WorkCopy, clicks: FloatArray) -> list[Float32Array]:
-    """Return the one colour that the clicks (n, 2), copy pixels, agree on, or all where they differ."""
+    """Return the one colour that the clicks (n, 2), copy pixels, agree on, or all where they differ.
+
+    A band has two: that of its outline and that of its fill.
+    """
     groups: list[list[Float32Array]] = []
-    for click in clicks:
-        colour = colour_at(copy, click)
+    found = [colour_at(copy, click) for click in clicks]
+    found += [fill for fill in (fill_at(copy, click) for click in clicks) if fill is not None]
+    for colour in found:
         for group in groups:
             if np.linalg.norm(np.mean(group, axis=0) - colour) < _SAME_COLOUR:
                 group.append(colour)

@@ -17,9 +17,12 @@ from bobdesk.arrays import FloatArray
 from bobdesk.plan.line_colour import ink
 from bobdesk.plan.polyline_geometry import gaussian_smoothed, normals, resampled, whittaker_smoothed
 from bobdesk.plan.raster import Float32Array, Pixels, lab, sample
+from bobdesk.plan.stages import at_fraction
 
 _ROUNDS = 5
 _SAMPLES_A_CHUNK = 60_000
+# How strongly a point without a fit is held where the path put it: up to some 40 points are bridged.
+_HOLD = 1e-5
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,14 +51,12 @@ def straightened(
     pixels: Pixels, points: FloatArray, across: FloatArray, distances: FloatArray
 ) -> Generator[float, None, Float32Array]:
     """Return the Lab colours (n, m, c) at `distances` (m,) along the normals `across` (n, 2) of `points`."""
-    rows = max(1, _SAMPLES_A_CHUNK // len(distances))
     strips: list[Float32Array] = []
-    for first in range(0, len(points), rows):
-        part = slice(first, first + rows)
+    for part in _parts(len(points), len(distances)):
         x = points[part, :1] + across[part, :1] * distances
         y = points[part, 1:] + across[part, 1:] * distances
         strips.append(lab(sample(pixels, x, y)))
-        yield min(1.0, (first + rows) / len(points))
+        yield min(1.0, part.stop / len(points))
     return np.concatenate(strips)
 
 
@@ -67,24 +68,41 @@ def _running_median(values: Float32Array, *, size: int) -> Float32Array:
 
 def _ink_of(
     strip: Float32Array, distances: FloatArray, *, inner: float, outer: float, shape: FloatArray | None
-) -> Float32Array:
+) -> Generator[float, None, Float32Array]:
     """Share of line colour (n, m), with colours of line and background that may change along the line.
 
     The background is what lies between `outer` and the ends of the profiles; the line colour is the
     mean over `shape`, or within `inner` what stands out most.
     """
     flanks = np.abs(distances) >= outer
-    background = _running_median(np.median(strip[:, flanks], axis=1), size=41)[:, None]
     core = np.abs(distances) <= inner
-    if shape is None:
-        contrast = np.linalg.norm(strip[:, core] - background, axis=2)
-        strongest = contrast.argmax(axis=1)
-        line = strip[:, core][np.arange(len(strip)), strongest]
-    else:
-        weights = (shape**2).astype(np.float32)
-        line = np.einsum("nmc,m->nc", strip, weights) / weights.sum()
-    line = _running_median(np.asarray(line, dtype=np.float32), size=81)[:, None]
-    return ink(strip, background, line)
+    count, _, channels = strip.shape
+    background = np.empty((count, channels), dtype=np.float32)
+    line = np.empty((count, channels), dtype=np.float32)
+    parts = _parts(count, len(distances))
+    for part in parts:
+        background[part] = np.median(strip[part][:, flanks], axis=1)
+        if shape is None:
+            inside = strip[part][:, core]
+            contrast = ((inside - background[part, None]) ** 2).sum(axis=2)
+            line[part] = inside[np.arange(len(inside)), contrast.argmax(axis=1)]
+        else:
+            weights = (shape**2 / (shape**2).sum()).astype(np.float32)
+            line[part] = np.einsum("nmc,m->nc", strip[part], weights)
+        yield 0.0
+    background = _running_median(background, size=41)
+    line = _running_median(line, size=81)
+    result = np.empty(strip.shape[:2], dtype=np.float32)
+    for part in parts:
+        result[part] = ink(strip[part], background[part, None], line[part, None])
+        yield 1.0
+    return result
+
+
+def _parts(count: int, places: int) -> list[slice]:
+    """Cut `count` profiles of `places` samples into parts of some 10 ms of work each."""
+    rows = max(1, _SAMPLES_A_CHUNK // places)
+    return [slice(first, first + rows) for first in range(0, count, rows)]
 
 
 def symmetric_template(profiles: Float32Array, weights: FloatArray, *, inside: FloatArray) -> FloatArray:
@@ -133,7 +151,7 @@ def fit_shifts(
 
 
 def refined(
-    pixels: Pixels, path: FloatArray, *, width: float, search: float, step: float = 2.0
+    pixels: Pixels, path: FloatArray, *, width: float, search: float, step: float, wavelength: float
 ) -> Generator[float, None, Refined]:
     """Move a path (n, 2), picture pixels, to the middle of its line with sub-pixel accuracy.
 
@@ -145,10 +163,12 @@ def refined(
         How far the path may be off, pixels.
     step
         Distance of the points, pixels.
+    wavelength
+        Wiggles shorter than this are noise, pixels.
     """
-    points = resampled(path, step=step)
+    points = path
     weights = np.ones(len(points))
-    misfit = strength = np.zeros(len(points))
+    strength = np.zeros(len(points))
     half = 0.5 * width
     for turn in range(_ROUNDS):
         points = resampled(points, step=step)
@@ -160,32 +180,37 @@ def refined(
         count = int(np.ceil((outer + max(4.0, half)) / spacing))
         distances = np.arange(-count, count + 1) * spacing
         across = normals(gaussian_smoothed(points, sigma=2.0))
-        job = straightened(pixels, points, across, distances)
-        while True:
-            try:
-                yield (turn + next(job)) / _ROUNDS
-            except StopIteration as end:
-                strip = end.value
-                break
+        done = turn / _ROUNDS
+        strip = yield from at_fraction(straightened(pixels, points, across, distances), done)
         inside = np.abs(distances) <= half + margin
-        profiles = _ink_of(strip, distances, inner=half + reach, outer=outer, shape=None)
+        rough = yield from at_fraction(
+            _ink_of(strip, distances, inner=half + reach, outer=outer, shape=None), done
+        )
+        template = symmetric_template(rough, weights, inside=inside)
+        yield done
+        profiles = yield from at_fraction(
+            _ink_of(strip, distances, inner=half, outer=outer, shape=template), done
+        )
         template = symmetric_template(profiles, weights, inside=inside)
-        profiles = _ink_of(strip, distances, inner=half, outer=outer, shape=template)
-        template = symmetric_template(profiles, weights, inside=inside)
-        yield (turn + 1) / _ROUNDS
+        yield done
         most = max(2, int(reach / spacing))
-        shift, misfit, strength = fit_shifts(profiles, template, window=inside.astype(np.float64), most=most)
+        shift, misfit, strength = np.zeros((3, len(points)))
+        for part in _parts(len(points), len(distances)):
+            shift[part], misfit[part], strength[part] = fit_shifts(
+                profiles[part], template, window=inside.astype(np.float64), most=most
+            )
+            yield done
         shift *= spacing
         weights = _trust(shift, misfit, strength)
         moved = points + across * shift[:, None]
         points = whittaker_smoothed(
             np.where(weights[:, None] > 0.05, moved, points),
-            weights=np.maximum(weights, 1e-3),
-            wavelength=(10.0 if turn < 2 else 6.0),
+            weights=np.maximum(weights, _HOLD),
+            wavelength=(2.0 if turn < 2 else 1.0) * wavelength / step,
         )
         half = float(np.clip(_half_width(template, distances), 0.4 * width, 0.75 * width))
-    full = 2 * _half_width(template, distances)
-    return Refined(points, np.clip(weights, 0, 1), np.clip(strength, 0, None), full)
+        yield (turn + 1) / _ROUNDS
+    return Refined(points, weights, np.clip(strength, 0, None), 2 * _half_width(template, distances))
 
 
 def _trust(shift: FloatArray, misfit: FloatArray, strength: FloatArray) -> FloatArray:
@@ -194,7 +219,12 @@ def _trust(shift: FloatArray, misfit: FloatArray, strength: FloatArray) -> Float
     weights = 1.0 / (1.0 + (misfit / (2.0 * typical + 0.05)) ** 4)
     weights *= np.clip((strength - 0.25) / 0.25, 0, 1)
     size = max(1, min(15, len(shift) // 2 * 2 - 1))
-    middle = ndimage.median_filter(shift, size=size, mode="nearest")
-    spread = float(np.median(np.abs(shift - middle))) + 0.15
+    # In gaps the shifts mean nothing: what their neighbours say stands in.
+    sure = np.flatnonzero(weights > 0.3)
+    if len(sure) == 0:
+        return np.zeros_like(shift)
+    meant = np.interp(np.arange(len(shift)), sure, shift[sure])
+    middle = ndimage.median_filter(meant, size=size, mode="nearest")
+    spread = float(np.median(np.abs(meant - middle)[sure])) + 0.15
     weights *= np.abs(shift - middle) < 4 * spread
     return np.asarray(weights, dtype=np.float64)

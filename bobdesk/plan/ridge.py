@@ -10,6 +10,7 @@ from scipy import ndimage
 
 from bobdesk.arrays import FloatArray
 from bobdesk.plan.raster import Float32Array
+from bobdesk.plan.stages import at_fraction, at_once
 
 SCALES = (0.8, 1.2, 1.8, 2.7, 4.0, 6.0)
 # Off the line a step costs 1 / _FLOOR = 50 times a step on it.
@@ -50,13 +51,8 @@ def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach:
         window = ink[top : row + outer + 1, left : column + outer + 1]
         rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
         near = np.exp(-((rows + top - y) ** 2 + (columns + left - x) ** 2) / (2 * (0.5 * reach) ** 2))
-        job = ridge(window, sigma=sigma)
-        while True:
-            try:
-                next(job)
-            except StopIteration as end:
-                answers.append(float((end.value * near).max()))
-                break
+        strength = at_once(ridge(window, sigma=sigma))
+        answers.append(float((strength * near).max()))
     return float(np.median(answers))
 
 
@@ -73,13 +69,8 @@ def ridge_score(
     """Return the largest ridge strength over `sigmas`, 1 at `reference` and beyond; (h, w)."""
     score = np.zeros_like(ink)
     for index, sigma in enumerate(sigmas):
-        job = ridge(ink, sigma=sigma)
-        while True:
-            try:
-                yield (index + next(job)) / len(sigmas)
-            except StopIteration as end:
-                np.maximum(score, end.value, out=score)
-                break
+        strength = yield from at_fraction(ridge(ink, sigma=sigma), index / len(sigmas))
+        np.maximum(score, strength, out=score)
     score /= np.float32(max(reference, 1e-6))
     return np.minimum(score, np.float32(1.0))
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Literal, TypeVar
+from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -19,12 +19,12 @@ from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_statio
 from bobdesk.plan.raster import Float32Array, Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
 from bobdesk.plan.ridge import ridge_score, scale_at, step_cost, strength_near
+from bobdesk.plan.stages import stage
 from bobdesk.plan.straight_lines import without_straight_lines
 from bobdesk.plan.work_copy import WorkCopy, work_copy
 from bobdesk.progress import Progress
 
 Kind = Literal["single", "double", "dashed"]
-Value = TypeVar("Value")
 
 
 @dataclass(frozen=True)
@@ -83,19 +83,6 @@ class Trace:
     def length_px(self) -> float:
         """Length of the trace in pixels."""
         return float(arc_lengths(self.points)[-1])
-
-
-def _stage(
-    job: Generator[float, None, Value], doing: str, *, start: float, end: float
-) -> Generator[Progress, None, Value]:
-    """Report a part of the work, from `start` to `end` of the whole."""
-    while True:
-        try:
-            fraction = next(job)
-        except StopIteration as finished:
-            value: Value = finished.value
-            return value
-        yield Progress(start + (end - start) * fraction, doing)
 
 
 def _checked_clicks(pixels: Pixels, clicks: npt.ArrayLike) -> FloatArray:
@@ -219,25 +206,32 @@ def trace_line(
     """
     check_pixels(pixels)
     places = _checked_clicks(pixels, clicks)
-    copy = yield from _stage(
+    copy = yield from stage(
         work_copy(pixels, megapixels=settings.work_megapixels), "Reading the picture", start=0.0, end=0.3
     )
     stops_at = copy.to_copy(places)
-    share, score = yield from _stage(
+    share, score = yield from stage(
         _ink_and_score(copy, stops_at), "Looking for the line", start=0.3, end=0.5
     )
-    rough = yield from _stage(
+    rough = yield from stage(
         _rough_way(share, score, stops_at, settings=settings), "Following the line", start=0.5, end=0.7
     )
-    middle = yield from _stage(
+    middle = yield from stage(
         centred(share, rough.points, section=rough.section), "Finding the middle", start=0.7, end=0.8
     )
     section = rough.section
     width = section.width / copy.scale
     slack = settings.snap_px / copy.scale
     path = extended(copy.to_picture(middle), length=slack + width, step=settings.step_px)
-    line = yield from _stage(
-        refined(pixels, path, width=width, search=max(2.0, 1.5 / copy.scale), step=settings.step_px),
+    line = yield from stage(
+        refined(
+            pixels,
+            path,
+            width=width,
+            search=max(2.0, 1.5 / copy.scale),
+            step=settings.step_px,
+            wavelength=10.0 / copy.scale,
+        ),
         "Measuring the line",
         start=0.8,
         end=1.0,
