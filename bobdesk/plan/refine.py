@@ -91,12 +91,21 @@ def _ink_of(
             line[part] = np.einsum("nmc,m->nc", strip[part], weights)
         yield 0.0
     background = _running_median(background, size=41)
-    line = _running_median(line, size=81)
+    line = _running_median(_without_gaps(line, background), size=81)
     result = np.empty(strip.shape[:2], dtype=np.float32)
     for part in parts:
         result[part] = ink(strip[part], background[part, None], line[part, None])
         yield 1.0
     return result
+
+
+def _without_gaps(line: Float32Array, background: Float32Array) -> Float32Array:
+    """Put the colours of the neighbours where the line (n, c) hardly differs from the background."""
+    stands_out = np.linalg.norm(line - background, axis=1)
+    there = np.flatnonzero(stands_out > 0.6 * np.quantile(stands_out, 0.8))
+    places = np.arange(len(line))
+    nearest = there[np.clip(np.searchsorted(there, places), 0, len(there) - 1)]
+    return np.asarray(line[nearest])
 
 
 def _parts(count: int, places: int) -> list[slice]:
@@ -173,7 +182,7 @@ def refined(
     for turn in range(_ROUNDS):
         points = resampled(points, step=step)
         weights = np.interp(np.linspace(0, 1, len(points)), np.linspace(0, 1, len(weights)), weights)
-        reach = search if turn < 2 else max(1.5, 0.5 * search)
+        reach = search if turn < 3 else max(1.5, 0.5 * search)
         spacing = float(np.clip(half / 10, 0.4, 1.0))
         margin = max(2.5, 0.6 * half)
         outer = half + reach + margin
