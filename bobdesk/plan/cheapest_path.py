@@ -7,6 +7,7 @@ these do not connect the clicks (dashes), all pixels of a coarse copy, then a co
 from __future__ import annotations
 
 from collections.abc import Generator
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -31,7 +32,7 @@ _STEPS = ((-1, -1), (-1, 0), (-1, 1), (0, -1), (0, 1), (1, -1), (1, 0), (1, 1))
 def pixel_graph(
     cost: Float32Array, allowed: BoolArray
 ) -> tuple[csr_array, npt.NDArray[np.int32], npt.NDArray[np.int32]]:
-    """Return the 8-neighbour graph of the `allowed` pixels, their numbers (h, w) or -1, their (n, 2) row, column.
+    """Return the 8-neighbour graph of the `allowed` pixels, their numbers (h, w) or -1, and places (n, 2).
 
     An edge costs its length times the mean cost of its two pixels.
     """
@@ -71,16 +72,16 @@ def _legs(
     """Return the cheapest way of every leg as (m, 2) row, column."""
     cost = cost.copy()
     legs: list[IntArray] = []
-    for index, (start, goal) in enumerate(zip(stops[:-1], stops[1:], strict=True)):
+    for index, (start, goal) in enumerate(pairwise(stops)):
         graph, numbers, places = pixel_graph(cost, allowed)
         yield (index + 0.5) / (len(stops) - 1)
-        _, predecessors = dijkstra(graph, indices=int(numbers[start]), return_predecessors=True)
+        _, predecessors = dijkstra(graph, indices=np.array([numbers[start]]), return_predecessors=True)
         goal_number = int(numbers[goal])
-        if predecessors[goal_number] < 0 and start != goal:
+        if predecessors[0, goal_number] < 0 and start != goal:
             raise InputError(
                 f"No way leads from the point at column {start[1]}, row {start[0]} of the work copy onwards."
             )
-        way = places[_way(predecessors, goal=goal_number)].astype(np.int64)
+        way = places[_way(predecessors[0], goal=goal_number)].astype(np.int64)
         legs.append(way)
         used = np.zeros(cost.shape, dtype=bool)
         used[tuple(way[:-4].T)] = True

@@ -10,7 +10,7 @@ from scipy import ndimage
 
 from bobdesk.arrays import FloatArray, IntArray
 from bobdesk.plan.raster import Float32Array
-from bobdesk.plan.ridge import ridge_normals
+from bobdesk.plan.ridge import ridge_along, ridge_normals
 
 _INK = 0.3
 _MOST_VOTES = 3_000_000
@@ -21,10 +21,7 @@ _SHORTEST, _LONGEST = 3, 60
 
 def gap_lengths(score: Float32Array, path: FloatArray) -> IntArray:
     """Return the lengths (k,), in points, of the stretches of `path` (n, 2) without ridge, its ends apart."""
-    near = ndimage.maximum_filter(score, size=3)
-    columns = np.clip(np.round(path[:, 0]).astype(np.intp), 0, score.shape[1] - 1)
-    rows = np.clip(np.round(path[:, 1]).astype(np.intp), 0, score.shape[0] - 1)
-    empty = near[rows, columns] < _INK
+    empty = ridge_along(score, path) < _INK
     runs = [(blank, len(list(points))) for blank, points in groupby(empty.tolist())]
     return np.array([length for blank, length in runs[1:-1] if blank], dtype=np.int64)
 

@@ -57,7 +57,7 @@ def channels_of(pixels: Pixels) -> int:
 
 
 def to_channels(values: npt.NDArray[Any], *, black: float, white: float) -> Float32Array:
-    """Turn picture values (..., 1, 3 or 4) into sRGB or grey from 0 to 255 over white, shape (..., 1 or 3)."""
+    """Turn picture values (..., 1, 3 or 4) over white into sRGB or grey 0 to 255 (..., 1 or 3)."""
     numbers = values.astype(np.float32)
     if values.shape[-1] == 4:
         opaque = numbers[..., 3:] / np.float32(255.0)

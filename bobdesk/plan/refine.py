@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
-from bobdesk.arrays import FloatArray
+from bobdesk.arrays import BoolArray, FloatArray
 from bobdesk.plan.line_colour import ink
 from bobdesk.plan.polyline_geometry import gaussian_smoothed, normals, resampled, whittaker_smoothed
 from bobdesk.plan.raster import Float32Array, Pixels, lab, sample
@@ -37,6 +37,8 @@ class Refined:
         (n,) how well each profile matches the typical one, 0 to 1.
     strength
         (n,) how much ink there is compared with the typical profile, about 1 on the line.
+    blank
+        (n,) True where there is plain background.
     width
         Full width at half of the typical profile, over both edges of a double line, pixels.
     """
@@ -44,6 +46,7 @@ class Refined:
     points: FloatArray
     fit: FloatArray
     strength: FloatArray
+    blank: BoolArray
     width: float
 
 
@@ -132,11 +135,12 @@ def _half_width(template: FloatArray, distances: FloatArray) -> float:
 
 def fit_shifts(
     profiles: Float32Array, template: FloatArray, *, window: FloatArray, most: int
-) -> tuple[FloatArray, FloatArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Lay the template over every profile (n, m) at shifts of -most … most samples.
 
     Returns the best shift (n,) in fractions of samples, the misfit (n,), 0 for a perfect match, and the
-    strength (n,), the factor on the template that fits.
+    strength (n,), the factor on the template that fits, and the ink of any shape (n,) beside that
+    of the template.
     """
     shifts = np.arange(-most, most + 1)
     moved = np.stack([np.roll(template, shift) for shift in shifts], axis=1)
@@ -156,7 +160,7 @@ def fit_shifts(
     part = np.where(bend > 1e-9, 0.5 * (before - after) / np.where(bend > 1e-9, bend, 1.0), 0.0)
     at_edge = best != centre
     shift = shifts[best] + np.where(at_edge, 0.0, np.clip(part, -1, 1))
-    return shift, misfit[row, best], cross[row, best] / power
+    return shift, misfit[row, best], cross[row, best] / power, energy[row, best] / power
 
 
 def refined(
@@ -177,7 +181,7 @@ def refined(
     """
     points = path
     weights = np.ones(len(points))
-    strength = np.zeros(len(points))
+    strength = amount = np.zeros(len(points))
     half = 0.5 * width
     for turn in range(_ROUNDS):
         points = resampled(points, step=step)
@@ -203,9 +207,9 @@ def refined(
         template = symmetric_template(profiles, weights, inside=inside)
         yield done
         most = max(2, int(reach / spacing))
-        shift, misfit, strength = np.zeros((3, len(points)))
+        shift, misfit, strength, amount = np.zeros((4, len(points)))
         for part in _parts(len(points), len(distances)):
-            shift[part], misfit[part], strength[part] = fit_shifts(
+            shift[part], misfit[part], strength[part], amount[part] = fit_shifts(
                 profiles[part], template, window=inside.astype(np.float64), most=most
             )
             yield done
@@ -219,7 +223,9 @@ def refined(
         )
         half = float(np.clip(_half_width(template, distances), 0.4 * width, 0.75 * width))
         yield (turn + 1) / _ROUNDS
-    return Refined(points, weights, np.clip(strength, 0, None), 2 * _half_width(template, distances))
+    return Refined(
+        points, weights, np.clip(strength, 0, None), amount < 0.15, 2 * _half_width(template, distances)
+    )
 
 
 def _trust(shift: FloatArray, misfit: FloatArray, strength: FloatArray) -> FloatArray:

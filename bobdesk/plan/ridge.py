@@ -89,3 +89,11 @@ def ridge_normals(
     xy = ndimage.gaussian_filter(ink, sigma, order=(1, 1))[rows, columns]
     # The ink bends down most along the normal.
     return np.asarray((0.5 * np.arctan2(-2.0 * xy, yy - xx)) % np.pi, dtype=np.float64)
+
+
+def ridge_along(score: Float32Array, path: FloatArray) -> Float32Array:
+    """Return the largest ridge score (n,) on and beside the points of a path (n, 2)."""
+    near = ndimage.maximum_filter(score, size=3)
+    columns = np.clip(np.round(path[:, 0]).astype(np.intp), 0, score.shape[1] - 1)
+    rows = np.clip(np.round(path[:, 1]).astype(np.intp), 0, score.shape[0] - 1)
+    return np.asarray(near[rows, columns])

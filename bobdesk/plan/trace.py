@@ -10,21 +10,31 @@ import numpy as np
 import numpy.typing as npt
 
 from bobdesk.arrays import FloatArray, IntArray, frozen
-from bobdesk.errors import InputError
-from bobdesk.plan.cheapest_path import Pixel, cheapest_path, path_points
+from bobdesk.plan.cheapest_path import cheapest_path, path_points
+from bobdesk.plan.clicks import checked_clicks, ends_at_clicks, snapped
 from bobdesk.plan.double_edge import CrossSection, centred, filled, section_along
+from bobdesk.plan.doubts import (
+    confidence,
+    doubtful_turns,
+    length_sentence,
+    turn_sentences,
+    weak_sentences,
+    weak_stretches,
+)
 from bobdesk.plan.gaps import bridged, typical_gap
 from bobdesk.plan.line_colour import ink, line_colours
-from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_station, part_between
+from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_vertex, part_between, resampled
 from bobdesk.plan.raster import Float32Array, Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
-from bobdesk.plan.ridge import ridge_score, scale_at, step_cost, strength_near
+from bobdesk.plan.ridge import ridge_along, ridge_score, scale_at, step_cost, strength_near
 from bobdesk.plan.stages import stage
 from bobdesk.plan.straight_lines import without_straight_lines
 from bobdesk.plan.work_copy import WorkCopy, work_copy
 from bobdesk.progress import Progress
 
 Kind = Literal["single", "double", "dashed"]
+# A point without a fit is sure while a good one is nearer than half of this, pixels of the copy.
+_SURE = 30.0
 
 
 @dataclass(frozen=True)
@@ -85,38 +95,6 @@ class Trace:
         return float(arc_lengths(self.points)[-1])
 
 
-def _checked_clicks(pixels: Pixels, clicks: npt.ArrayLike) -> FloatArray:
-    points = np.asarray(clicks, dtype=np.float64)
-    if points.ndim != 2 or points.shape[1] != 2 or len(points) < 2:
-        raise InputError("A line is traced from at least two points: its start and its finish.")
-    height, width = pixels.shape[:2]
-    for x, y in points:
-        if not (np.isfinite(x) and np.isfinite(y) and -1 <= x <= width and -1 <= y <= height):
-            raise InputError(
-                f"The point {x:.0f},{y:.0f} lies outside the picture of {width} x {height} pixels."
-            )
-    if np.any(np.hypot(*np.diff(points, axis=0).T) < 1.0):
-        raise InputError(
-            "Two points that follow each other are the same place; start and finish must differ."
-        )
-    return points
-
-
-def snapped(score: Float32Array, click: FloatArray, *, reach: float) -> Pixel:
-    """Return the pixel (row, column) with the most ridge near `click`, near ones first."""
-    height, width = score.shape
-    column = int(np.clip(round(float(click[0])), 0, width - 1))
-    row = int(np.clip(round(float(click[1])), 0, height - 1))
-    outer = int(np.ceil(reach))
-    top, left = max(0, row - outer), max(0, column - outer)
-    window = score[top : row + outer + 1, left : column + outer + 1]
-    rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
-    squares = (rows + top - click[1]) ** 2 + (columns + left - click[0]) ** 2
-    weighted = window * np.exp(-squares / (2 * (0.6 * reach) ** 2))
-    best = np.unravel_index(int(weighted.argmax()), weighted.shape)
-    return top + int(best[0]), left + int(best[1])
-
-
 def _ink_and_score(
     copy: WorkCopy, clicks: FloatArray
 ) -> Generator[float, None, tuple[Float32Array, Float32Array]]:
@@ -136,9 +114,10 @@ def _ink_and_score(
 
 @dataclass(frozen=True, eq=False)
 class _RoughWay:
-    """A path on the copy: (n, 2) pixels, what the line looks like across, the length of its gaps or 0."""
+    """A path on the copy (n, 2), the ridge it follows, the line across, the length of its gaps or 0."""
 
     points: FloatArray
+    score: Float32Array
     section: CrossSection
     gap: float
 
@@ -160,31 +139,11 @@ def _rough_way(
     else:
         gap = typical_gap(score, points)
         if gap == 0.0:
-            return _RoughWay(points, section, gap)
+            return _RoughWay(points, score, section, gap)
         better = yield from bridged(score, share, gap=gap)
     stops = [snapped(better, click, reach=settings.snap_px) for click in clicks]
     points = path_points((yield from cheapest_path(step_cost(better), better, stops)))
-    return _RoughWay(points, section, gap)
-
-
-def _cut_to_clicks(
-    line: Refined, clicks: FloatArray, *, slack: float, step: float
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Cut the prolonged line where the first and last click lie beside it."""
-    points = line.points
-    along = arc_lengths(points)
-    near_start = along <= 3 * slack + 10
-    near_end = along >= along[-1] - 3 * slack - 10
-    start = nearest_station(points[near_start], position=clicks[0])
-    offset = along[near_end][0]
-    end = offset + nearest_station(points[near_end], position=clicks[-1])
-    part = part_between(points, start=start, end=max(end, start + step))
-    stations = start + arc_lengths(part)
-    return (
-        part,
-        np.interp(stations, along, line.fit),
-        np.interp(stations, along, line.strength),
-    )
+    return _RoughWay(points, better, section, gap)
 
 
 def trace_line(
@@ -205,7 +164,7 @@ def trace_line(
         If the picture or the clicks cannot be used.
     """
     check_pixels(pixels)
-    places = _checked_clicks(pixels, clicks)
+    places = checked_clicks(pixels, clicks)
     copy = yield from stage(
         work_copy(pixels, megapixels=settings.work_megapixels), "Reading the picture", start=0.0, end=0.3
     )
@@ -236,6 +195,38 @@ def trace_line(
         start=0.8,
         end=1.0,
     )
-    points, fit, strength = _cut_to_clicks(line, places, slack=slack + width, step=settings.step_px)
-    kind: Kind = "dashed" if rough.gap else "double" if section.edges is not None else "single"
-    return Trace(frozen(points), frozen(fit), line.width, kind, (), np.zeros((0, 2), dtype=np.int64))
+    yield Progress(1.0, "Looking for doubtful places")
+    return _judged(line, rough, places, copy=copy, settings=settings)
+
+
+def _judged(
+    line: Refined, rough: _RoughWay, clicks: FloatArray, *, copy: WorkCopy, settings: TraceSettings
+) -> Trace:
+    """Cut the line at its clicks and say how sure it is."""
+    slack = settings.snap_px / copy.scale + line.width
+    start, finish = ends_at_clicks(line, clicks, slack=slack, dashed=rough.gap > 0)
+    points = resampled(
+        part_between(line.points, start=start, end=max(finish, start + settings.step_px)),
+        step=settings.step_px,
+    )
+    reach = (_SURE + 2 * rough.gap) / copy.scale
+    stations = np.linspace(start, finish, len(points))
+    along = arc_lengths(line.points)
+    sure = confidence(np.interp(stations, along, line.fit), step=settings.step_px, reach=reach)
+    weak = weak_stretches(sure)
+    doubts = []
+    for doubt in doubtful_turns(rough.score, rough.points, width=rough.section.width):
+        x, y = copy.to_picture([[doubt.x, doubt.y]])[0]
+        doubts.append((doubt, float(x), float(y)))
+        index = nearest_vertex(points, position=np.array([x, y]))
+        weak = np.concatenate([weak, [[max(0, index - 10), min(len(points) - 1, index + 10)]]])
+    warnings = turn_sentences(doubts) + weak_sentences(points, weak_stretches(sure))
+    if np.mean(ridge_along(rough.score, rough.points)) < 0.3:
+        warnings.insert(0, "There is hardly a line between the points; are they on the line?")
+    if settings.known_length_px is not None:
+        sentence = length_sentence(float(arc_lengths(points)[-1]), settings.known_length_px)
+        warnings += [sentence] if sentence else []
+    kind: Kind = "dashed" if rough.gap else "double" if rough.section.edges is not None else "single"
+    suspect = weak[np.argsort(weak[:, 0], kind="stable")]
+    suspect.flags.writeable = False
+    return Trace(frozen(points, columns=2), frozen(sure), line.width, kind, tuple(warnings), suspect)
