@@ -8,7 +8,7 @@ import numpy as np
 from scipy import ndimage
 
 from bobdesk.arrays import FloatArray, IntArray
-from bobdesk.plan.polyline_geometry import arc_lengths, gaussian_smoothed, resampled
+from bobdesk.plan.polyline_geometry import arc_lengths, resampled
 from bobdesk.plan.raster import Float32Array
 
 _WEAK = 0.5
@@ -17,12 +17,12 @@ _MOST_SENTENCES = 4
 # Directions on both sides of straight on in which a line may go on, degrees.
 _FAN = np.arange(-12.0, 13.0, 4.0)
 # Over so many pixels no track turns by more than this.
-_KINK_ARM, _KINK = 8, 80.0
+_KINK_GAP, _KINK_ARM, _KINK = 3, 8, 60.0
 
 
 @dataclass(frozen=True)
 class Doubt:
-    """A place (x, y) of a path: a loop may be cut there, or else the path has a kink."""
+    """A place (x, y) of a trace: a loop may be cut there, or else the trace has a kink."""
 
     x: float
     y: float
@@ -41,11 +41,15 @@ def confidence(fit: FloatArray, *, step: float, reach: float) -> FloatArray:
     return np.clip(np.maximum(forwards, backwards), 0.0, 1.0)
 
 
-def weak_stretches(sure: FloatArray) -> IntArray:
-    """Return the first and last index (k, 2) of the stretches with a confidence (n,) below a half."""
+def weak_stretches(sure: FloatArray, *, shortest: int) -> IntArray:
+    """Return the first and last index (k, 2) of stretches of `shortest` points or more that are not sure.
+
+    That is a confidence (n,) below a half.
+    """
     weak = np.concatenate([[False], sure < _WEAK, [False]]).astype(np.int8)
     edges = np.flatnonzero(np.diff(weak))
-    return np.column_stack([edges[::2], edges[1::2] - 1]).astype(np.int64)
+    stretches = np.column_stack([edges[::2], edges[1::2] - 1]).astype(np.int64)
+    return stretches[stretches[:, 1] - stretches[:, 0] + 1 >= shortest]
 
 
 def _goes_on(score: Float32Array, starts: FloatArray, ways: FloatArray, *, near: float) -> FloatArray:
@@ -83,20 +87,20 @@ def _beside(score: Float32Array, points: FloatArray, *, width: float) -> Float32
     return np.where(own, np.float32(0.0), ndimage.maximum_filter(score, size=3))
 
 
-def doubtful_turns(score: Float32Array, path: FloatArray, *, width: float) -> tuple[Doubt, ...]:
-    """Return where a path (n, 2), copy pixels, turns off at a crossing, or has a kink.
+def doubtful_turns(score: Float32Array, trace: FloatArray, *, width: float) -> tuple[Doubt, ...]:
+    """Return where a trace (n, 2), copy pixels, turns off at a crossing, or has a kink.
 
-    Where a loop was cut at its crossing, the ridge `score` (h, w) goes straight on where the path comes
+    Where a loop was cut at its crossing, the ridge `score` (h, w) goes straight on where the trace comes
     from, and straight back from where it leaves.
     """
-    points = gaussian_smoothed(resampled(path, step=1.0), sigma=1.5)
+    points = resampled(trace, step=1.0)
     gap, arm = max(3, round(0.7 * width)), 10
     reach = gap + arm
     if len(points) < 2 * reach + 3:
         return ()
     middle = np.arange(reach, len(points) - reach)
     incoming, outgoing, turn = _turns(points, middle, gap=gap, arm=arm)
-    kink = _turns(points, middle, gap=2, arm=_KINK_ARM)[2]
+    kink = _turns(points, middle, gap=_KINK_GAP, arm=_KINK_ARM)[2]
     candidates = np.flatnonzero(turn > 28.0)
     others = _beside(score, points, width=width)
     near = 2.0 * gap + 4.0

@@ -10,9 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from bobdesk.arrays import FloatArray, IntArray, frozen
-from bobdesk.plan.cheapest_path import cheapest_path, path_points
-from bobdesk.plan.clicks import checked_clicks, ends_at_clicks, snapped
-from bobdesk.plan.double_edge import CrossSection, centred, filled, section_along
+from bobdesk.plan.clicks import checked_clicks, ends_at_clicks
 from bobdesk.plan.doubts import (
     confidence,
     doubtful_turns,
@@ -21,20 +19,19 @@ from bobdesk.plan.doubts import (
     weak_sentences,
     weak_stretches,
 )
-from bobdesk.plan.gaps import bridged, typical_gap
-from bobdesk.plan.line_colour import ink, line_colours
 from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_vertex, part_between, resampled
-from bobdesk.plan.raster import Float32Array, Pixels, check_pixels
+from bobdesk.plan.raster import Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
-from bobdesk.plan.ridge import ridge_along, ridge_score, scale_at, step_cost, strength_near
+from bobdesk.plan.ridge import ridge_along
+from bobdesk.plan.rough_way import Line, RoughWay, rough_way
 from bobdesk.plan.stages import stage
-from bobdesk.plan.straight_lines import without_straight_lines
 from bobdesk.plan.work_copy import WorkCopy, work_copy
 from bobdesk.progress import Progress
 
 Kind = Literal["single", "double", "dashed"]
 # A point without a fit is sure while a good one is nearer than half of this, pixels of the copy.
 _SURE = 30.0
+_SHORTEST_DOUBT = 10.0
 
 
 @dataclass(frozen=True)
@@ -57,7 +54,7 @@ class TraceSettings:
 
     work_megapixels: float = 1.5
     snap_px: float = 7.0
-    line: Literal["auto", "single", "double"] = "auto"
+    line: Line = "auto"
     step_px: float = 2.0
     known_length_px: float | None = None
 
@@ -95,57 +92,6 @@ class Trace:
         return float(arc_lengths(self.points)[-1])
 
 
-def _ink_and_score(
-    copy: WorkCopy, clicks: FloatArray
-) -> Generator[float, None, tuple[Float32Array, Float32Array]]:
-    share = np.zeros(copy.colours.shape[:2], dtype=np.float32)
-    rows = max(1, 150_000 // share.shape[1])
-    for colour in line_colours(copy, clicks):
-        for first in range(0, len(share), rows):
-            part = slice(first, first + rows)
-            found = ink(copy.colours[part], copy.background[part], colour)
-            share[part] = np.maximum(share[part], found)
-            yield 0.0
-    sigma, strength = scale_at(share, clicks)
-    score = yield from ridge_score(share, sigmas=(sigma / 1.3, sigma * 1.3), reference=0.8 * strength)
-    score = yield from without_straight_lines(score, share)
-    return share, score
-
-
-@dataclass(frozen=True, eq=False)
-class _RoughWay:
-    """A path on the copy (n, 2), the ridge it follows, the line across, the length of its gaps or 0."""
-
-    points: FloatArray
-    score: Float32Array
-    section: CrossSection
-    gap: float
-
-
-def _rough_way(
-    share: Float32Array, score: Float32Array, clicks: FloatArray, *, settings: TraceSettings
-) -> Generator[float, None, _RoughWay]:
-    """Find the way; once more when it proves to run along two edges or dashes, with these joined."""
-    stops = [snapped(score, click, reach=settings.snap_px) for click in clicks]
-    points = path_points((yield from cheapest_path(step_cost(score), score, stops)))
-    section = section_along(share, points, kind=settings.line)
-    yield 0.5
-    gap = 0.0
-    if section.edges is not None:
-        band = yield from filled(share, edges=section.edges)
-        sigma = 0.4 * section.width
-        strength = strength_near(band, clicks, sigma=sigma)
-        better = yield from ridge_score(band, sigmas=(sigma,), reference=0.8 * strength)
-    else:
-        gap = typical_gap(score, points)
-        if gap == 0.0:
-            return _RoughWay(points, score, section, gap)
-        better = yield from bridged(score, share, gap=gap)
-    stops = [snapped(better, click, reach=settings.snap_px) for click in clicks]
-    points = path_points((yield from cheapest_path(step_cost(better), better, stops)))
-    return _RoughWay(points, better, section, gap)
-
-
 def trace_line(
     pixels: Pixels, clicks: npt.ArrayLike, *, settings: TraceSettings = TraceSettings()
 ) -> Generator[Progress, None, Trace]:
@@ -168,20 +114,15 @@ def trace_line(
     copy = yield from stage(
         work_copy(pixels, megapixels=settings.work_megapixels), "Reading the picture", start=0.0, end=0.3
     )
-    stops_at = copy.to_copy(places)
-    share, score = yield from stage(
-        _ink_and_score(copy, stops_at), "Looking for the line", start=0.3, end=0.5
-    )
     rough = yield from stage(
-        _rough_way(share, score, stops_at, settings=settings), "Following the line", start=0.5, end=0.7
+        rough_way(copy, copy.to_copy(places), reach=settings.snap_px, line=settings.line),
+        "Following the line",
+        start=0.3,
+        end=0.8,
     )
-    middle = yield from stage(
-        centred(share, rough.points, section=rough.section), "Finding the middle", start=0.7, end=0.8
-    )
-    section = rough.section
-    width = section.width / copy.scale
+    width = rough.section.width / copy.scale
     slack = settings.snap_px / copy.scale
-    path = extended(copy.to_picture(middle), length=slack + width, step=settings.step_px)
+    path = extended(copy.to_picture(rough.middle), length=slack + width, step=settings.step_px)
     line = yield from stage(
         refined(
             pixels,
@@ -200,7 +141,7 @@ def trace_line(
 
 
 def _judged(
-    line: Refined, rough: _RoughWay, clicks: FloatArray, *, copy: WorkCopy, settings: TraceSettings
+    line: Refined, rough: RoughWay, clicks: FloatArray, *, copy: WorkCopy, settings: TraceSettings
 ) -> Trace:
     """Cut the line at its clicks and say how sure it is."""
     slack = settings.snap_px / copy.scale + line.width
@@ -213,15 +154,16 @@ def _judged(
     stations = np.linspace(start, finish, len(points))
     along = arc_lengths(line.points)
     sure = confidence(np.interp(stations, along, line.fit), step=settings.step_px, reach=reach)
-    weak = weak_stretches(sure)
+    hardly_shown = weak_stretches(sure, shortest=round(_SHORTEST_DOUBT / copy.scale / settings.step_px))
+    weak = hardly_shown
     doubts = []
-    for doubt in doubtful_turns(rough.score, rough.points, width=rough.section.width):
+    for doubt in doubtful_turns(rough.score, copy.to_copy(points), width=rough.section.width):
         x, y = copy.to_picture([[doubt.x, doubt.y]])[0]
         doubts.append((doubt, float(x), float(y)))
         index = nearest_vertex(points, position=np.array([x, y]))
         weak = np.concatenate([weak, [[max(0, index - 10), min(len(points) - 1, index + 10)]]])
-    warnings = turn_sentences(doubts) + weak_sentences(points, weak_stretches(sure))
-    if np.mean(ridge_along(rough.score, rough.points)) < 0.3:
+    warnings = turn_sentences(doubts) + weak_sentences(points, hardly_shown)
+    if np.mean(ridge_along(rough.score, rough.middle)) < 0.3:
         warnings.insert(0, "There is hardly a line between the points; are they on the line?")
     if settings.known_length_px is not None:
         sentence = length_sentence(float(arc_lengths(points)[-1]), settings.known_length_px)
