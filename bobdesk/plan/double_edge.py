@@ -50,7 +50,7 @@ def autocorrelation(profiles: Float32Array) -> FloatArray:
     floor = np.quantile(profiles, 0.3, axis=1, keepdims=True)
     above = np.clip(profiles - floor, 0, None)
     power = (above * above).sum(axis=1)
-    written = power > 0.25 * np.median(power)
+    written = power >= 0.25 * np.quantile(power, 0.9)
     above, power = above[written], power[written]
     lags = profiles.shape[1] // 2 + 1
     result = np.empty(lags)

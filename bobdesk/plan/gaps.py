@@ -16,7 +16,7 @@ _INK = 0.3
 _MOST_VOTES = 3_000_000
 # A bridge is worth this share of the ink at its ends.
 _BRIDGE = 0.6
-_SHORTEST, _LONGEST = 3, 60
+_SHORTEST, _LONGEST = 2, 60
 
 
 def gap_lengths(score: Float32Array, path: FloatArray) -> IntArray:
@@ -30,7 +30,7 @@ def typical_gap(score: Float32Array, path: FloatArray) -> float:
     """Return the length of the gaps of a dashed line along `path`, in pixels, or 0 for a whole line."""
     lengths = gap_lengths(score, path)
     gaps = lengths[(lengths >= _SHORTEST) & (lengths <= _LONGEST)]
-    if len(gaps) < 4 or lengths.sum() < 0.08 * len(path):
+    if len(gaps) < 4 or lengths.sum() < 0.06 * len(path):
         return 0.0
     return float(np.quantile(gaps, 0.75)) + 2.0
 

@@ -90,7 +90,7 @@ def _ink_of(
             contrast = ((inside - background[part, None]) ** 2).sum(axis=2)
             line[part] = inside[np.arange(len(inside)), contrast.argmax(axis=1)]
         else:
-            weights = (shape**2 / (shape**2).sum()).astype(np.float32)
+            weights = (shape**2 / max(float((shape**2).sum()), 1e-12)).astype(np.float32)
             line[part] = np.einsum("nmc,m->nc", strip[part], weights)
         yield 0.0
     background = _running_median(background, size=41)
@@ -105,7 +105,7 @@ def _ink_of(
 def _without_gaps(line: Float32Array, background: Float32Array) -> Float32Array:
     """Put the colours of the neighbours where the line (n, c) hardly differs from the background."""
     stands_out = np.linalg.norm(line - background, axis=1)
-    there = np.flatnonzero(stands_out > 0.6 * np.quantile(stands_out, 0.8))
+    there = np.flatnonzero(stands_out >= 0.6 * np.quantile(stands_out, 0.8))
     places = np.arange(len(line))
     nearest = there[np.clip(np.searchsorted(there, places), 0, len(there) - 1)]
     return np.asarray(line[nearest])
@@ -117,11 +117,16 @@ def _parts(count: int, places: int) -> list[slice]:
     return [slice(first, first + rows) for first in range(0, count, rows)]
 
 
-def symmetric_template(profiles: Float32Array, weights: FloatArray, *, inside: FloatArray) -> FloatArray:
-    """Return the median of the well-fitting profiles (n, m), mirrored onto itself, its floor at 0."""
-    good = weights > 0.5
+def symmetric_template(profiles: Float32Array, weights: FloatArray, *, inside: BoolArray) -> FloatArray:
+    """Return the median of the well-fitting profiles (n, m), mirrored onto itself, its floor at 0.
+
+    Profiles with little ink, as in the gaps of dashes, say nothing about the line.
+    """
+    amount = profiles[:, inside].sum(axis=1)
+    written = amount >= 0.4 * np.quantile(amount, 0.8)
+    good = written & (weights > 0.5)
     if np.count_nonzero(good) < 10:
-        good = weights >= np.median(weights)
+        good = written
     template = np.median(profiles[good], axis=0)
     template = 0.5 * (template + template[::-1])
     template = template - template[~inside].min(initial=float(template.min()))

@@ -40,10 +40,15 @@ def ridge(ink: Float32Array, *, sigma: float) -> Generator[float, None, Float32A
     return np.asarray(strength, dtype=np.float32)
 
 
-def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach: float = 7.0) -> float:
-    """Return the ridge strength at `sigma` around the clicks (n, 2), the median of their maxima."""
-    answers = []
-    outer = int(4 * sigma + 2 * reach)
+def strength_near(
+    ink: Float32Array, clicks: FloatArray, *, sigma: float, reach: float = 7.0
+) -> tuple[float, float]:
+    """Return the ridge strength at `sigma` on the line at the clicks (n, 2), and that of the noise around.
+
+    The medians over the clicks of the largest strength near by and of the usual strength in the window.
+    """
+    lines, noises = [], []
+    outer = int(4 * sigma + 3 * reach)
     for x, y in clicks:
         column = int(np.clip(x, 0, ink.shape[1] - 1))
         row = int(np.clip(y, 0, ink.shape[0] - 1))
@@ -52,15 +57,20 @@ def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach:
         rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
         near = np.exp(-((rows + top - y) ** 2 + (columns + left - x) ** 2) / (2 * (0.5 * reach) ** 2))
         strength = at_once(ridge(window, sigma=sigma))
-        answers.append(float((strength * near).max()))
-    return float(np.median(answers))
+        lines.append(float((strength * near).max()))
+        noises.append(float(np.median(strength)))
+    return float(np.median(lines)), float(np.median(noises))
 
 
 def scale_at(ink: Float32Array, clicks: FloatArray) -> tuple[float, float]:
-    """Return the ridge scale that answers most around the clicks (n, 2), and its strength there."""
-    strengths = [strength_near(ink, clicks, sigma=sigma) for sigma in SCALES]
-    best = int(np.argmax(strengths))
-    return SCALES[best], strengths[best]
+    """Return the ridge scale at which the line at the clicks (n, 2) stands out most, and its strength there.
+
+    Without noise that is the scale of the line's width; grain answers at the smallest scales.
+    """
+    answers = np.array([strength_near(ink, clicks, sigma=sigma) for sigma in SCALES])
+    strengths, noises = answers[:, 0], answers[:, 1]
+    best = int((strengths / (0.15 * strengths.max() + 3.0 * noises + 1e-9)).argmax())
+    return SCALES[best], float(strengths[best])
 
 
 def ridge_score(

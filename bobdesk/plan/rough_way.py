@@ -110,7 +110,7 @@ def rough_way(
     if section.edges is not None:
         band = yield from at_fraction(filled(share, edges=section.edges), 0.75)
         sigma = 0.4 * section.width
-        reference = 0.8 * strength_near(band, clicks, sigma=sigma)
+        reference = 0.8 * strength_near(band, clicks, sigma=sigma)[0]
         score = yield from at_fraction(ridge_score(band, sigmas=(sigma,), reference=reference), 0.8)
         points = yield from at_fraction(_way(score, clicks, reach=reach), 0.85)
     else:

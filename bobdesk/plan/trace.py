@@ -32,6 +32,10 @@ Kind = Literal["single", "double", "dashed"]
 # A point without a fit is sure while a good one is nearer than half of this, pixels of the copy.
 _SURE = 30.0
 _SHORTEST_DOUBT = 10.0
+# Width of a line on the copy, pixels: where a smaller copy is better, and what is wanted then.
+_WIDEST, _WANTED = 18.0, 10.0
+# A line with this share of plain background along it is dashed.
+_BLANK_SHARE = 0.05
 
 
 @dataclass(frozen=True)
@@ -111,15 +115,25 @@ def trace_line(
     """
     check_pixels(pixels)
     places = checked_clicks(pixels, clicks)
-    copy = yield from stage(
-        work_copy(pixels, megapixels=settings.work_megapixels), "Reading the picture", start=0.0, end=0.3
-    )
-    rough = yield from stage(
-        rough_way(copy, copy.to_copy(places), reach=settings.snap_px, line=settings.line),
-        "Following the line",
-        start=0.3,
-        end=0.8,
-    )
+    megapixels = settings.work_megapixels
+    for looks in (1, 2):
+        copy = yield from stage(
+            work_copy(pixels, megapixels=megapixels),
+            "Reading the picture",
+            start=0.35 * (looks - 1),
+            end=0.2 * looks,
+        )
+        rough = yield from stage(
+            rough_way(copy, copy.to_copy(places), reach=settings.snap_px, line=settings.line),
+            "Following the line",
+            start=0.2 * looks,
+            end=0.35 * looks,
+        )
+        if rough.section.width <= _WIDEST:
+            break
+        # A line this wide hides its own background; on a smaller copy it is like any other.
+        shrink = _WANTED / rough.section.width
+        megapixels = copy.colours.shape[0] * copy.colours.shape[1] * shrink**2 / 1e6
     width = rough.section.width / copy.scale
     slack = settings.snap_px / copy.scale
     path = extended(copy.to_picture(rough.middle), length=slack + width, step=settings.step_px)
@@ -133,7 +147,7 @@ def trace_line(
             wavelength=10.0 / copy.scale,
         ),
         "Measuring the line",
-        start=0.8,
+        start=0.7,
         end=1.0,
     )
     yield Progress(1.0, "Looking for doubtful places")
@@ -145,14 +159,18 @@ def _judged(
 ) -> Trace:
     """Cut the line at its clicks and say how sure it is."""
     slack = settings.snap_px / copy.scale + line.width
-    start, finish = ends_at_clicks(line, clicks, slack=slack, dashed=rough.gap > 0)
+    start, finish = ends_at_clicks(line, clicks, slack=slack, dashed=True)
+    along = arc_lengths(line.points)
+    between = (along > start + slack) & (along < finish - slack)
+    dashed = rough.gap > 0 or (between.any() and float(np.mean(line.blank[between])) > _BLANK_SHARE)
+    if not dashed:
+        start, finish = ends_at_clicks(line, clicks, slack=slack, dashed=False)
     points = resampled(
         part_between(line.points, start=start, end=max(finish, start + settings.step_px)),
         step=settings.step_px,
     )
     reach = (_SURE + 2 * rough.gap) / copy.scale
     stations = np.linspace(start, finish, len(points))
-    along = arc_lengths(line.points)
     sure = confidence(np.interp(stations, along, line.fit), step=settings.step_px, reach=reach)
     hardly_shown = weak_stretches(sure, shortest=round(_SHORTEST_DOUBT / copy.scale / settings.step_px))
     weak = hardly_shown
@@ -168,7 +186,7 @@ def _judged(
     if settings.known_length_px is not None:
         sentence = length_sentence(float(arc_lengths(points)[-1]), settings.known_length_px)
         warnings += [sentence] if sentence else []
-    kind: Kind = "dashed" if rough.gap else "double" if rough.section.edges is not None else "single"
+    kind: Kind = "dashed" if dashed else "double" if rough.section.edges is not None else "single"
     suspect = weak[np.argsort(weak[:, 0], kind="stable")]
     suspect.flags.writeable = False
     return Trace(frozen(points, columns=2), frozen(sure), line.width, kind, tuple(warnings), suspect)
