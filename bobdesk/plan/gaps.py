@@ -14,8 +14,6 @@ from bobdesk.plan.ridge import ridge_along, ridge_normals
 
 _INK = 0.3
 _MOST_VOTES = 3_000_000
-# A bridge is worth this share of the ink at its ends.
-_BRIDGE = 0.6
 _SHORTEST, _LONGEST = 2, 60
 
 
@@ -35,11 +33,13 @@ def typical_gap(score: Float32Array, path: FloatArray) -> float:
     return float(np.quantile(gaps, 0.75)) + 2.0
 
 
-def bridged(score: Float32Array, ink: Float32Array, *, gap: float) -> Generator[float, None, Float32Array]:
+def bridged(
+    score: Float32Array, ink: Float32Array, *, gap: float, worth: float
+) -> Generator[float, None, Float32Array]:
     """Return the ridge score (h, w) with gaps of up to some `gap` pixels closed.
 
     Every ridge pixel votes along its line, forwards and backwards; a pixel with votes from both sides lies
-    between two dashes.
+    between two dashes.  A bridge has the share `worth` of the ridge at its ends.
     """
     rows, columns = np.nonzero(score > _INK)
     reach = np.arange(1.0, gap + 4.0)
@@ -63,6 +63,6 @@ def bridged(score: Float32Array, ink: Float32Array, *, gap: float) -> Generator[
             yield 0.3 + 0.4 * index
             sides.append(ndimage.maximum_filter(votes, size=3))
             yield 0.4 + 0.4 * index
-        np.maximum(result, np.float32(_BRIDGE) * np.minimum(*sides), out=result)
+        np.maximum(result, np.float32(worth) * np.minimum(*sides), out=result)
     yield 1.0
     return result

@@ -26,6 +26,10 @@ Line = Literal["auto", "single", "double"]
 # The colour along the middle is another colour than those known: a band with a fill.
 _STANDS_OUT = 12.0
 _OTHER_COLOUR = 20.0
+# Gaps that are closed before anything is known of the line, unless so much of the picture is ridge.
+_SHORT_GAP = 12.0
+_GRAIN = 0.08
+_THIN = 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,11 +67,20 @@ def line_ink(copy: WorkCopy, colours: list[Float32Array]) -> Generator[float, No
     return share
 
 
-def _ridge_of(share: Float32Array, clicks: FloatArray) -> Generator[float, None, Float32Array]:
-    """Ridge score at the scale of the line under the clicks, without grid lines."""
+def _ridge_of(share: Float32Array, clicks: FloatArray) -> Generator[float, None, tuple[Float32Array, float]]:
+    """Ridge score at the scale of the line under the clicks, without grid lines; and that scale."""
     sigma, strength = scale_at(share, clicks)
     score = yield from ridge_score(share, sigmas=(sigma / 1.3, sigma * 1.3), reference=0.8 * strength)
-    return (yield from without_straight_lines(score, share))
+    return (yield from without_straight_lines(score, share)), sigma
+
+
+def _without_short_gaps(
+    score: Float32Array, share: Float32Array, *, sigma: float
+) -> Generator[float, None, Float32Array]:
+    """Close gaps as those of dashes in thin lines; not in grain, which would join to lines."""
+    if sigma > _THIN or np.count_nonzero(score > 0.3) > _GRAIN * score.size:
+        return score
+    return (yield from bridged(score, share, gap=_SHORT_GAP, worth=0.4))
 
 
 def _fill_along(copy: WorkCopy, middle: FloatArray, known: list[Float32Array]) -> Float32Array | None:
@@ -93,8 +106,9 @@ def rough_way(
     """
     colours = line_colours(copy, clicks)
     share = yield from line_ink(copy, colours)
-    score = yield from at_fraction(_ridge_of(share, clicks), 0.2)
-    points = yield from at_fraction(_way(score, clicks, reach=reach), 0.4)
+    score, sigma = yield from at_fraction(_ridge_of(share, clicks), 0.2)
+    joined = yield from at_fraction(_without_short_gaps(score, share, sigma=sigma), 0.3)
+    points = yield from at_fraction(_way(joined, clicks, reach=reach), 0.4)
     section = section_along(share, points, kind=line)
     yield 0.45
     if section.edges is None and section.width > 4.0:
@@ -102,8 +116,9 @@ def rough_way(
         fill = _fill_along(copy, middle, colours)
         if fill is not None:
             share = np.maximum(share, (yield from at_fraction(line_ink(copy, [fill]), 0.5)))
-            score = yield from at_fraction(_ridge_of(share, clicks), 0.6)
-            points = yield from at_fraction(_way(score, clicks, reach=reach), 0.7)
+            score, sigma = yield from at_fraction(_ridge_of(share, clicks), 0.6)
+            joined = yield from at_fraction(_without_short_gaps(score, share, sigma=sigma), 0.65)
+            points = yield from at_fraction(_way(joined, clicks, reach=reach), 0.7)
             section = section_along(share, points, kind=line)
             yield 0.75
     gap = 0.0
@@ -116,7 +131,7 @@ def rough_way(
     else:
         gap = typical_gap(score, points)
         if gap > 0.0:
-            score = yield from at_fraction(bridged(score, share, gap=gap), 0.8)
+            score = yield from at_fraction(bridged(score, share, gap=gap, worth=0.6), 0.8)
             points = yield from at_fraction(_way(score, clicks, reach=reach), 0.85)
     middle = yield from at_fraction(centred(share, points, section=section), 0.9)
     return RoughWay(middle, score, section, gap)

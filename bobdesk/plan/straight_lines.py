@@ -22,7 +22,7 @@ _PIECE = 6
 _NEAR_ANGLE = np.deg2rad(7.0)
 _MOST_PIXELS = 150_000
 # What is left of a grid line's ridge.
-_LEFT = 0.35
+_LEFT = 0.15
 
 
 def _between(first: FloatArray, second: float) -> FloatArray:
