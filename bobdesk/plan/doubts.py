@@ -38,7 +38,7 @@ def confidence(fit: FloatArray, *, step: float, reach: float) -> FloatArray:
     places = np.arange(len(fit)) * loss
     forwards = np.maximum.accumulate(fit + places) - places
     backwards = (np.maximum.accumulate((fit - places)[::-1]))[::-1] + places
-    return np.clip(np.maximum(forwards, backwards), 0.0, 1.0)
+    return np.asarray(np.clip(np.maximum(forwards, backwards), 0.0, 1.0), dtype=np.float64)
 
 
 def weak_stretches(sure: FloatArray, *, shortest: int) -> IntArray:

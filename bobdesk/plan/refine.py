@@ -196,7 +196,7 @@ def refined(
         margin = max(2.5, 0.6 * half)
         outer = half + reach + margin
         count = int(np.ceil((outer + max(4.0, half)) / spacing))
-        distances = np.arange(-count, count + 1) * spacing
+        distances = np.arange(-count, count + 1, dtype=np.float64) * spacing
         across = normals(gaussian_smoothed(points, sigma=2.0))
         done = turn / _ROUNDS
         strip = yield from at_fraction(straightened(pixels, points, across, distances), done)

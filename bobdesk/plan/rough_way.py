@@ -42,6 +42,8 @@ class RoughWay:
         (n, 2) copy pixels.
     score
         (h, w) the ridge it follows, 0 to 1.
+    share
+        (h, w) how much line colour there is.
     section
         What the line looks like across.
     gap
@@ -50,14 +52,16 @@ class RoughWay:
 
     middle: FloatArray
     score: Float32Array
+    share: Float32Array
     section: CrossSection
     gap: float
 
 
 def line_ink(copy: WorkCopy, colours: list[Float32Array]) -> Generator[float, None, Float32Array]:
     """Return how much line colour there is (h, w), the most of all `colours`; yields the fraction done."""
-    share = np.zeros(copy.colours.shape[:2], dtype=np.float32)
-    rows = max(1, 150_000 // share.shape[1])
+    height, width = copy.colours.shape[0], copy.colours.shape[1]
+    share = np.zeros((height, width), dtype=np.float32)
+    rows = max(1, 150_000 // width)
     for index, colour in enumerate(colours):
         for first in range(0, len(share), rows):
             part = slice(first, first + rows)
@@ -134,7 +138,7 @@ def rough_way(
             score = yield from at_fraction(bridged(score, share, gap=gap, worth=0.6), 0.8)
             points = yield from at_fraction(_way(score, clicks, reach=reach), 0.85)
     middle = yield from at_fraction(centred(share, points, section=section), 0.9)
-    return RoughWay(middle, score, section, gap)
+    return RoughWay(middle, score, share, section, gap)
 
 
 def _way(score: Float32Array, clicks: FloatArray, *, reach: float) -> Generator[float, None, FloatArray]:

@@ -84,7 +84,7 @@ def _parallel_lines(
     covered[across.astype(np.intp), (along / _PIECE).astype(np.intp)] = True
     covered[:-1] |= covered[1:]
     lengths = _PIECE * covered.sum(axis=1)
-    distances = np.arange(2 * half + 1) - half + 1.0
+    distances = np.arange(2 * half + 1, dtype=np.float64) - half + 1.0
     chords = _chords(distances, angle=best_angle, height=height, width=width)
     straight = (lengths > _COVERED * chords) & (chords > 0.25 * min(height, width))
     if not straight.any():

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from bobdesk.arrays import FloatArray, IntArray, frozen
-from bobdesk.plan.clicks import checked_clicks, ends_at_clicks
+from bobdesk.plan.clicks import checked_clicks, ends_at_clicks, snapped
+from bobdesk.plan.double_edge import centred
 from bobdesk.plan.doubts import (
     confidence,
     doubtful_turns,
@@ -19,6 +20,7 @@ from bobdesk.plan.doubts import (
     weak_sentences,
     weak_stretches,
 )
+from bobdesk.plan.loops import smooth_way
 from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_vertex, part_between, resampled
 from bobdesk.plan.raster import Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
@@ -36,6 +38,8 @@ _SHORTEST_DOUBT = 10.0
 _WIDEST, _WANTED = 18.0, 10.0
 # A line with this share of plain background along it is dashed.
 _BLANK_SHARE = 0.05
+# A way around a loop is at least this much longer than the plain one, pixels of the copy.
+_A_LOOP = 30.0
 
 
 @dataclass(frozen=True)
@@ -115,6 +119,42 @@ def trace_line(
     """
     check_pixels(pixels)
     places = checked_clicks(pixels, clicks)
+    copy, rough = yield from _found(pixels, places, settings=settings)
+    return (yield from _measured(pixels, places, copy, rough, settings=settings))
+
+
+def propose_loops(
+    pixels: Pixels, clicks: npt.ArrayLike, *, settings: TraceSettings = TraceSettings()
+) -> Generator[Progress, None, Trace | None]:
+    """Trace a line that crosses itself from its start and finish alone, going straight on at crossings.
+
+    The result is a proposal to be looked at, and None where no longer way is found than that of
+    `trace_line`.  Points on the way are not needed; those given are passed in order.  Raises InputError as
+    `trace_line`.
+    """
+    check_pixels(pixels)
+    places = checked_clicks(pixels, clicks)
+    copy, rough = yield from _found(pixels, places, settings=settings)
+    stops = [snapped(rough.score, click, reach=settings.snap_px) for click in copy.to_copy(places)]
+    way = yield from stage(
+        smooth_way(rough.score, stops, width=rough.section.width), "Going around loops", start=0.7, end=0.75
+    )
+    if way is None:
+        return None
+    middle = yield from stage(
+        centred(rough.share, way, section=rough.section), "Finding the middle", start=0.75, end=0.8
+    )
+    plain = float(arc_lengths(rough.middle)[-1])
+    if float(arc_lengths(middle)[-1]) < plain + _A_LOOP:
+        return None
+    around = replace(rough, middle=middle)
+    return (yield from _measured(pixels, places, copy, around, settings=settings))
+
+
+def _found(
+    pixels: Pixels, clicks: FloatArray, *, settings: TraceSettings
+) -> Generator[Progress, None, tuple[WorkCopy, RoughWay]]:
+    """Find the line on a small copy; a wide line once more on a smaller one."""
     megapixels = settings.work_megapixels
     for looks in (1, 2):
         copy = yield from stage(
@@ -124,7 +164,7 @@ def trace_line(
             end=0.2 * looks,
         )
         rough = yield from stage(
-            rough_way(copy, copy.to_copy(places), reach=settings.snap_px, line=settings.line),
+            rough_way(copy, copy.to_copy(clicks), reach=settings.snap_px, line=settings.line),
             "Following the line",
             start=0.2 * looks,
             end=0.35 * looks,
@@ -134,24 +174,30 @@ def trace_line(
         # A line this wide hides its own background; on a smaller copy it is like any other.
         shrink = _WANTED / rough.section.width
         megapixels = copy.colours.shape[0] * copy.colours.shape[1] * shrink**2 / 1e6
+    return copy, rough
+
+
+def _measured(
+    pixels: Pixels, clicks: FloatArray, copy: WorkCopy, rough: RoughWay, *, settings: TraceSettings
+) -> Generator[Progress, None, Trace]:
+    """Measure the line in the picture itself and say how sure it is."""
     width = rough.section.width / copy.scale
     slack = settings.snap_px / copy.scale
-    path = extended(copy.to_picture(rough.middle), length=slack + width, step=settings.step_px)
     line = yield from stage(
         refined(
             pixels,
-            path,
+            extended(copy.to_picture(rough.middle), length=slack + width, step=settings.step_px),
             width=width,
             search=max(2.0, 1.5 / copy.scale),
             step=settings.step_px,
             wavelength=10.0 / copy.scale,
         ),
         "Measuring the line",
-        start=0.7,
+        start=0.8,
         end=1.0,
     )
     yield Progress(1.0, "Looking for doubtful places")
-    return _judged(line, rough, places, copy=copy, settings=settings)
+    return _judged(line, rough, clicks, copy=copy, settings=settings)
 
 
 def _judged(
