@@ -6,6 +6,8 @@ import numpy as np
 
 from bobdesk.arrays import FloatArray
 from bobdesk.plan.raster import Float32Array
+from bobdesk.plan.ridge import ridge
+from bobdesk.plan.stages import at_once
 from bobdesk.plan.work_copy import WorkCopy
 
 # Lab distances: two clicks on one colour agree within this …
@@ -14,6 +16,8 @@ _SAME_COLOUR = 25.0
 _OFF_COLOUR = 22.0
 # Lightness counts less than hue: shadows and scans change it along a line.
 _LIGHTNESS_WEIGHT = 0.7
+# Thin lines and strokes; grain is smaller than these.
+_CREST_SCALES = (1.2, 2.4)
 
 
 def contrast(colours: Float32Array, background: Float32Array) -> Float32Array:
@@ -25,25 +29,27 @@ def contrast(colours: Float32Array, background: Float32Array) -> Float32Array:
 
 
 def colour_at(copy: WorkCopy, click: FloatArray, *, radius: float = 6.0) -> Float32Array:
-    """Return the Lab colour (c,) of the line under `click` (copy pixels).
+    """Return the Lab colour (c,) of the line near `click` (copy pixels).
 
-    It is the median of the pixels that differ most from the background, near ones first; the search widens
-    up to 4 times while nothing stands out, as between two edges that are far apart.
+    It is the median of the pixels on the strongest ridge of contrast to the background, within about
+    `radius`; the search widens up to 4 times while nothing stands out, as between two edges far apart.
     """
     height, width = copy.colours.shape[:2]
     x = float(np.clip(click[0], 0, width - 1))
     y = float(np.clip(click[1], 0, height - 1))
     for reach in (radius, 2 * radius, 4 * radius):
-        outer = int(3 * reach)
+        outer = int(3 * reach) + 10
         top, left = max(0, int(y) - outer), max(0, int(x) - outer)
         window = (slice(top, int(y) + outer + 1), slice(left, int(x) + outer + 1))
         colours = copy.colours[window]
-        rows, columns = np.mgrid[0 : colours.shape[0], 0 : colours.shape[1]]
-        squares = (columns + left - x) ** 2 + (rows + top - y) ** 2
         stands_out = contrast(colours, copy.background[window])
-        near = squares <= reach**2
-        weighted = np.where(near, stands_out * np.exp(-squares / (2 * (0.5 * reach) ** 2)), -1.0)
-        count = max(3, int(0.04 * near.sum()))
+        rows, columns = np.mgrid[0 : colours.shape[0], 0 : colours.shape[1]]
+        away = np.hypot(columns + left - x, rows + top - y)
+        # All places are as good up to some pixels off: that is how well people click.
+        nearness = np.exp(-(np.clip(away - 0.7 * reach, 0, None) ** 2) / (2 * (0.25 * reach) ** 2))
+        crest = np.max([at_once(ridge(stands_out, sigma=sigma)) for sigma in _CREST_SCALES], axis=0)
+        weighted = crest * np.where(away <= 1.3 * reach, nearness, 0.0)
+        count = max(3, int(0.04 * np.pi * reach**2))
         best = np.argpartition(weighted.ravel(), -count)[-count:]
         colour = np.median(colours.reshape(-1, colours.shape[2])[best], axis=0)
         if np.median(stands_out.ravel()[best]) > 3.0 * np.median(stands_out) + 4.0:

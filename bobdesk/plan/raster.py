@@ -61,7 +61,8 @@ def to_channels(values: npt.NDArray[Any], *, black: float, white: float) -> Floa
     numbers = values.astype(np.float32)
     if values.shape[-1] == 4:
         opaque = numbers[..., 3:] / np.float32(255.0)
-        return numbers[..., :3] * opaque + np.float32(255.0) * (1 - opaque)
+        over: Float32Array = numbers[..., :3] * opaque + np.float32(255.0) * (1 - opaque)
+        return over
     if (black, white) != (0.0, 255.0):
         numbers -= np.float32(black)
         numbers *= np.float32(255.0 / (white - black))
