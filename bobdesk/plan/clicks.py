@@ -45,8 +45,8 @@ def snapped(score: Float32Array, click: FloatArray, *, reach: float) -> Pixel:
     top, left = max(0, row - outer), max(0, column - outer)
     window = score[top : row + outer + 1, left : column + outer + 1]
     rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
-    squares = (rows + top - click[1]) ** 2 + (columns + left - click[0]) ** 2
-    weighted = window * np.exp(-squares / (2 * (0.6 * reach) ** 2))
+    away = np.hypot(rows + top - click[1], columns + left - click[0])
+    weighted = window * np.exp(-(np.clip(away - 0.4 * reach, 0, None) ** 2) / (2 * (0.4 * reach) ** 2))
     best = np.unravel_index(int(weighted.argmax()), weighted.shape)
     return top + int(best[0]), left + int(best[1])
 

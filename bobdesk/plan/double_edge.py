@@ -170,7 +170,7 @@ def centred(
     yield 0.3
     score = middle_score(profiles, section=section)
     middle = profiles.shape[1] // 2
-    reach = int(((section.edges or 0.0) + _PATH_ERROR) / _ACROSS)
+    reach = int(((section.edges or 0.5 * section.width) + _PATH_ERROR) / _ACROSS)
     near = np.ascontiguousarray(score[:, middle - reach : middle + reach + 1])
     yield 0.6
     way = yield from best_way(near)

@@ -55,7 +55,8 @@ def strength_near(
         top, left = max(0, row - outer), max(0, column - outer)
         window = ink[top : row + outer + 1, left : column + outer + 1]
         rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
-        near = np.exp(-((rows + top - y) ** 2 + (columns + left - x) ** 2) / (2 * (0.5 * reach) ** 2))
+        away = np.hypot(rows + top - y, columns + left - x)
+        near = np.exp(-(np.clip(away - 0.7 * reach, 0, None) ** 2) / (2 * (0.25 * reach) ** 2))
         strength = at_once(ridge(window, sigma=sigma))
         lines.append(float((strength * near).max()))
         noises.append(float(np.median(strength)))
@@ -69,7 +70,7 @@ def scale_at(ink: Float32Array, clicks: FloatArray) -> tuple[float, float]:
     """
     answers = np.array([strength_near(ink, clicks, sigma=sigma) for sigma in SCALES])
     strengths, noises = answers[:, 0], answers[:, 1]
-    best = int((strengths / (0.15 * strengths.max() + 3.0 * noises + 1e-9)).argmax())
+    best = int((strengths / (0.15 * strengths.max() + 4.0 * noises + 1e-9)).argmax())
     return SCALES[best], float(strengths[best])
 
 

@@ -14,7 +14,7 @@ from bobdesk.plan.cheapest_path import cheapest_path, path_points
 from bobdesk.plan.clicks import snapped
 from bobdesk.plan.double_edge import CrossSection, centred, filled, section_along
 from bobdesk.plan.gaps import bridged, typical_gap
-from bobdesk.plan.line_colour import contrast, ink, line_colours
+from bobdesk.plan.line_colour import contrast, fill_at, ink, line_colours
 from bobdesk.plan.raster import Float32Array
 from bobdesk.plan.ridge import ridge_score, scale_at, step_cost, strength_near
 from bobdesk.plan.stages import at_fraction
@@ -78,11 +78,9 @@ def _ridge_of(share: Float32Array, clicks: FloatArray) -> Generator[float, None,
     return (yield from without_straight_lines(score, share)), sigma
 
 
-def _without_short_gaps(
-    score: Float32Array, share: Float32Array, *, sigma: float
-) -> Generator[float, None, Float32Array]:
-    """Close gaps as those of dashes in thin lines; not in grain, which would join to lines."""
-    if sigma > _THIN or np.count_nonzero(score > 0.3) > _GRAIN * score.size:
+def _without_short_gaps(score: Float32Array, share: Float32Array) -> Generator[float, None, Float32Array]:
+    """Close gaps as those of dashes; not in grain, which would join to lines."""
+    if np.count_nonzero(score > 0.3) > _GRAIN * score.size:
         return score
     return (yield from bridged(score, share, gap=_SHORT_GAP, worth=0.4))
 
@@ -111,7 +109,9 @@ def rough_way(
     colours = line_colours(copy, clicks)
     share = yield from line_ink(copy, colours)
     score, sigma = yield from at_fraction(_ridge_of(share, clicks), 0.2)
-    joined = yield from at_fraction(_without_short_gaps(score, share, sigma=sigma), 0.3)
+    joined = score
+    if sigma <= _THIN and all(fill_at(copy, click) is None for click in clicks):
+        joined = yield from at_fraction(_without_short_gaps(score, share), 0.3)
     points = yield from at_fraction(_way(joined, clicks, reach=reach), 0.4)
     section = section_along(share, points, kind=line)
     yield 0.45
@@ -120,9 +120,8 @@ def rough_way(
         fill = _fill_along(copy, middle, colours)
         if fill is not None:
             share = np.maximum(share, (yield from at_fraction(line_ink(copy, [fill]), 0.5)))
-            score, sigma = yield from at_fraction(_ridge_of(share, clicks), 0.6)
-            joined = yield from at_fraction(_without_short_gaps(score, share, sigma=sigma), 0.65)
-            points = yield from at_fraction(_way(joined, clicks, reach=reach), 0.7)
+            score, _ = yield from at_fraction(_ridge_of(share, clicks), 0.6)
+            points = yield from at_fraction(_way(score, clicks, reach=reach), 0.7)
             section = section_along(share, points, kind=line)
             yield 0.75
     gap = 0.0
