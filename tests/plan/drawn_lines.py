@@ -1,21 +1,27 @@
-"""Pictures of tracks drawn at known places: supersampled, in many styles, with what plans have around them."""
+"""Pictures of tracks drawn at known places: supersampled, in many styles, with labels, grids and grain."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 from PIL import Image, ImageDraw, ImageFilter
+from scipy.spatial import cKDTree
 
 Array = npt.NDArray[np.float64]
 Colour = tuple[int, int, int]
 
 
-def clothoid_track(pieces: list[tuple[float, float, float]], *, heading: float = 0.0, step: float = 0.5) -> Array:
+def clothoid_track(
+    pieces: list[tuple[float, float, float]], *, heading: float = 0.0, step: float = 0.5
+) -> Array:
     """Integrate pieces (length, curvature at start, curvature at end), pixels, to points (n, 2) from 0,0."""
     curvature = np.concatenate(
-        [np.linspace(first, last, max(2, round(length / step)), endpoint=False) for length, first, last in pieces]
+        [
+            np.linspace(first, last, max(2, round(length / step)), endpoint=False)
+            for length, first, last in pieces
+        ]
     )
     angle = heading + np.concatenate([[0.0], np.cumsum(curvature) * step])
     middle = 0.5 * (angle[1:] + angle[:-1])
@@ -24,7 +30,7 @@ def clothoid_track(pieces: list[tuple[float, float, float]], *, heading: float =
 
 
 def random_track(seed: int, *, curves: int = 12, loop: bool = False, radius: float = 45.0) -> Array:
-    """Straights and curves with clothoids; with `loop`, one of them turns by 300 degrees and crosses itself."""
+    """Straights and curves with clothoids; with `loop`, one turns by 280 degrees and crosses itself."""
     rng = np.random.default_rng(seed)
     pieces: list[tuple[float, float, float]] = [(60.0, 0.0, 0.0)]
     heading, side = 0.0, 1.0
@@ -65,7 +71,6 @@ class Style:
     noise: float = 0.0
     blur: float = 0.0
     shade: float = 0.0
-    extra: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -176,13 +181,11 @@ def _furniture(pen: ImageDraw.ImageDraw, track: Array, style: Style, rng: np.ran
 
 def exact_line(points: Array, *, width: float, size: tuple[int, int]) -> npt.NDArray[np.uint8]:
     """A black stroke on white (h, w), each pixel grey by its exact distance from the line (butt ends)."""
-    from scipy.spatial import cKDTree  # a second way of drawing, without Pillow's rounding
-
     height, columns = size
     y, x = np.mgrid[0:height, 0:columns]
     dense = np.column_stack(
         [np.interp(np.arange(0, len(points) - 1, 0.1), np.arange(len(points)), points[:, k]) for k in (0, 1)]
     )
-    distance, nearest = cKDTree(dense).query(np.column_stack([x.ravel(), y.ravel()]))
+    distance, _ = cKDTree(dense).query(np.column_stack([x.ravel(), y.ravel()]))
     covered = np.clip(0.5 * width + 0.5 - distance, 0, 1)
     return (255 * (1 - covered)).round().astype(np.uint8).reshape(size)

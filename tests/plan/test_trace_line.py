@@ -90,7 +90,9 @@ _STYLES = {
     "edges far apart": Style(width=2, double=16),
     "dashes with long gaps": Style(width=2, dash=(10, 12)),
     "two colours": Style(width=2.5, colour=(200, 30, 30), second_colour=(30, 60, 200)),
-    "map": Style(width=2.5, colour=(200, 30, 30), patches=((190, 215, 170), (170, 200, 230), (140, 180, 120))),
+    "map": Style(
+        width=2.5, colour=(200, 30, 30), patches=((190, 215, 170), (170, 200, 230), (140, 180, 120))
+    ),
     "aerial": Style(
         width=6,
         colour=(175, 170, 165),
@@ -219,7 +221,7 @@ def test_between_two_yields_there_is_at_most_a_tenth_of_a_second_of_work() -> No
         longest = max(longest, time.process_time() - before)
     # Twice the promise: the machine that runs the tests may be slower than the one measured.
     assert longest < 0.2
-    assert 0.0 <= min(fractions)
+    assert min(fractions) >= 0.0
     assert max(fractions) <= 1.0
 
 
