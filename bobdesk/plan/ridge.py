@@ -70,7 +70,7 @@ def scale_at(ink: Float32Array, clicks: FloatArray) -> tuple[float, float]:
     """
     answers = np.array([strength_near(ink, clicks, sigma=sigma) for sigma in SCALES])
     strengths, noises = answers[:, 0], answers[:, 1]
-    best = int((strengths / (0.15 * strengths.max() + 4.0 * noises + 1e-9)).argmax())
+    best = int((strengths / (0.15 * strengths.max() + 6.0 * noises + 1e-9)).argmax())
     return SCALES[best], float(strengths[best])
 
 
