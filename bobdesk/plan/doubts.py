@@ -107,7 +107,7 @@ def doubtful_turns(score: Float32Array, trace: FloatArray, *, width: float) -> t
     ahead = _goes_on(others, points[middle - gap][candidates], incoming[candidates], near=near)
     behind = _goes_on(others, points[middle + gap][candidates], -outgoing[candidates], near=near)
     crossing = np.zeros(len(middle), dtype=bool)
-    crossing[candidates] = np.minimum(ahead, behind) > 0.4
+    crossing[candidates] = np.minimum(ahead, behind) > 0.55
     doubts: list[Doubt] = []
     for group in _groups(np.flatnonzero(crossing | (kink > _KINK)), apart=2 * reach):
         worst = int(group[turn[group].argmax()])

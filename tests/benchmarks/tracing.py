@@ -8,7 +8,9 @@ from __future__ import annotations
 
 import multiprocessing
 import resource
+import tempfile
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -31,13 +33,20 @@ def _peak() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
-def row(megapixels: float) -> Row:
-    """Trace one drawn plan at this size; call in a fresh process for an honest peak."""
+def drawing(path: Path, *, megapixels: float) -> None:
+    """Write one drawn plan of this size, and its clicks, to `path`."""
     drawn = draw(random_track(1, curves=12), Style(width=2.0, grid=(190, 190, 190), noise=4), seed=1)
     factor = (megapixels * 1e6 / (drawn.pixels.shape[0] * drawn.pixels.shape[1])) ** 0.5
     size = (round(drawn.pixels.shape[1] * factor), round(drawn.pixels.shape[0] * factor))
     pixels = np.asarray(Image.fromarray(drawn.pixels).resize(size, Image.Resampling.BICUBIC))
-    clicks = (drawn.track[[0, -1]] + 0.5) * factor - 0.5
+    np.savez(path, pixels=pixels, clicks=(drawn.track[[0, -1]] + 0.5) * factor - 0.5)
+
+
+def row(path: Path) -> Row:
+    """Trace the plan at `path`; call in a fresh process for an honest peak."""
+    with np.load(path) as plan:
+        pixels, clicks = plan["pixels"], plan["clicks"]
+    megapixels = pixels.shape[0] * pixels.shape[1] / 1e6
     loaded = _peak()
     wall, processor, longest = time.perf_counter(), time.process_time(), 0.0
     job = trace_line(pixels, clicks)
@@ -83,8 +92,13 @@ def _peer(cost: Any, ends: list[tuple[int, int]]) -> float:
 def rows() -> list[Row]:
     """One row for each of SIZES, each measured in its own process."""
     context = multiprocessing.get_context("spawn")
-    with context.Pool(1, maxtasksperchild=1) as pool:
-        return [pool.apply(row, (size,)) for size in SIZES]
+    with tempfile.TemporaryDirectory() as folder, context.Pool(1, maxtasksperchild=1) as pool:
+        table = []
+        for size in SIZES:
+            path = Path(folder) / f"{size}.npz"
+            pool.apply(drawing, (path,), {"megapixels": size})
+            table.append(pool.apply(row, (path,)))
+        return table
 
 
 if __name__ == "__main__":
