@@ -30,23 +30,16 @@ from bobdesk.plan.trace import Trace, TraceSettings, propose_loops, trace_line
 _END_SIGMA_PX = 1.0
 
 
-class _Pixel(click.ParamType):
-    """A pixel as PX,PY."""
-
-    name = "PX,PY"
-
-    def convert(self, value: object, param: click.Parameter | None, ctx: click.Context | None) -> tuple[float, float]:
-        """Return x and y."""
-        try:
-            x, y = (float(part) for part in str(value).split(","))
-        except ValueError:
-            self.fail(f"'{value}' is no pixel; it takes two numbers such as 412.5,1033", param, ctx)
-        if not (math.isfinite(x) and math.isfinite(y)):
-            self.fail(f"'{value}' is no pixel; both numbers must be finite", param, ctx)
-        return x, y
-
-
-PIXEL = _Pixel()
+def _pixel(text: str) -> tuple[float, float]:
+    """Return x and y of PX,PY."""
+    parts = text.split(",")
+    try:
+        numbers = [float(part) for part in parts]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 2 or not all(math.isfinite(number) for number in numbers):
+        raise click.UsageError(f"'{text}' is no pixel; it takes two numbers such as 412.5,1033")
+    return numbers[0], numbers[1]
 
 
 @click.command("trace", cls=SeveralValues)
@@ -60,11 +53,11 @@ PIXEL = _Pixel()
 )
 @click.option("--points", type=FILE, metavar="FILE.points", help="Control points as QGIS writes them.")
 @click.option("--unknown-scale", is_flag=True, help="The scale is not known: write pixels as if they were metres.")
-@click.option("--start", type=PIXEL, help="Where the line starts.")
-@click.option("--end", type=PIXEL, help="Where it ends.")
+@click.option("--start", metavar="PX,PY", help="Where the line starts.")
+@click.option("--end", metavar="PX,PY", help="Where it ends.")
 @click.option(
     "--via",
-    type=PIXEL,
+    metavar="PX,PY",
     multiple=True,
     help="Points on the way, in order: two in each loop that crosses the line. Several are allowed.",
 )
@@ -85,9 +78,9 @@ def command(
     scale: float | None,
     points: Path | None,
     unknown_scale: bool,
-    start: tuple[float, float] | None,
-    end: tuple[float, float] | None,
-    via: tuple[tuple[float, float], ...],
+    start: str | None,
+    end: str | None,
+    via: tuple[str, ...],
     loops: bool,
     line: str,
     page: int,
@@ -101,6 +94,7 @@ def command(
     """
     if start is None or end is None:
         raise click.UsageError("say where the line starts and ends: --start PX,PY --end PX,PY")
+    clicks = np.array([_pixel(text) for text in (start, *via, end)])
     if len({path.absolute() for path in (output, report) if path is not None}) < 1 + (report is not None):
         raise click.UsageError("two outputs have the same name")
     for path in (output, report):
@@ -112,7 +106,6 @@ def command(
     calibration = _calibration(picture, image, scale, points, unknown=unknown_scale)
 
     started = time.perf_counter()
-    clicks = np.array([start, *via, end])
     trace = _traced(picture, image, clicks, loops=loops, settings=_settings(line))
     seconds = time.perf_counter() - started
     metres = calibration.to_metres(trace.points)
@@ -189,7 +182,8 @@ def _calibration(
             raise click.UsageError(f"--scale must be more than 0 metres per pixel, not {scale:g}")
         return calibrations.calibration_from_scale(scale)
     if points is not None:
-        fit = fit_calibration(parse_qgis_points(decode_text(read_bytes(points), name=str(points)), name=str(points)))
+        known = parse_qgis_points(decode_text(read_bytes(points), name=str(points)), name=str(points))
+        fit = fit_calibration(known.points)
         for sentence in calibration_sentences(fit, plan_length_m=None):
             click.echo(f"note: {sentence}", err=True)
         return fit.calibration
