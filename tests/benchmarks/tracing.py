@@ -22,9 +22,8 @@ from bobdesk.plan.rough_way import rough_way
 from bobdesk.plan.stages import at_once
 from bobdesk.plan.trace import trace_line
 from bobdesk.plan.work_copy import work_copy
+from tests.benchmarks.measure import Row, print_table
 from tests.plan.drawn_lines import Style, draw, random_track
-
-Row = dict[str, float]
 
 SIZES = (2, 5, 10, 20, 40)
 
@@ -102,7 +101,4 @@ def rows() -> list[Row]:
 
 
 if __name__ == "__main__":
-    table = rows()
-    print("  ".join(f"{name:>24}" for name in table[0]))
-    for values in table:
-        print("  ".join(f"{value:>24.3f}" for value in values.values()))
+    print_table("Tracing, by size of the picture", rows())
