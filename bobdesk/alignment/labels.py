@@ -119,7 +119,7 @@ def best_labels_of_count(blocks: Blocks, count: int) -> IntArray:
 
 
 def gain_by_count(blocks: Blocks, most: int) -> FloatArray:
-    """Return the largest gain reachable with 1, 2, … `most` runs, (most,), m: where more stop paying."""
+    """Return the largest gain reachable with at most 1, 2, … `most` runs, (most,), m: where more stop paying."""
     value = np.full((most, 3), _IMPOSSIBLE)
     value[0] = blocks.scores[0]
     for scores in blocks.scores[1:]:
@@ -127,7 +127,8 @@ def gain_by_count(blocks: Blocks, most: int) -> FloatArray:
         for state in range(3):
             changed[1:, state] = np.delete(value[:-1], state, axis=1).max(axis=1)
         value = np.maximum(value, changed) + scores
-    gains: FloatArray = value.max(axis=1)
+    # An exact number of runs may force one that loses; with fewer allowed it need not be taken.
+    gains: FloatArray = np.maximum.accumulate(value.max(axis=1))
     return gains
 
 

@@ -100,14 +100,16 @@ class Projection:
         scaled = point / weights
         lower = np.minimum.reduceat(self._to_low - scaled, self._starts)
         upper = np.maximum.reduceat(self._to_high - scaled, self._starts)
-        close = _CLOSE * (1.0 + np.abs(self._falls)) + 1e-16 * float(np.abs(point).max())
+        exact = _CLOSE * (1.0 + np.abs(self._falls))
+        close = exact + 1e-16 * float(np.abs(point).max())
         for _ in range(_STEPS):
             unclipped = point + (multiplier[0] if self._single else multiplier[stretch]) * weights
             projected = np.minimum(np.maximum(unclipped, low), high)
             residual = self._falls - self._sum(weights * projected)
             off = np.abs(residual) > close
             if not off.any():
-                return projected
+                # From far away the multiplier is as good as it gets, but its rounding shows in the sums.
+                return projected if (np.abs(residual) <= exact).all() else self._polished(projected)
             slope = self._sum(np.where(projected == unclipped, self._squares, 0.0))
             np.copyto(lower, multiplier, where=residual > 0)
             np.copyto(upper, multiplier, where=residual < 0)

@@ -14,6 +14,8 @@ from bobdesk.solve.objective import PublishedObjective, Weights
 from bobdesk.solve.profile import Profile, make_profile
 from bobdesk.solve.targets import Targets
 
+_WILDEST_SCALE = 2.0
+
 
 @dataclass(frozen=True)
 class PublishedSettings:
@@ -49,7 +51,8 @@ def published(
     every gradient h / D lies within the limits, evaluates J, and moves each h against the change of
     J between the last two iterates divided by its own change (Eq. 6); the end is where J changes by
     less than δ. With an unknown scale the factor f is updated in the same way at the end of each
-    iteration, and x and y are scaled at the start of the next (Eq. 7 and 9). The paper does not say
+    iteration, and x and y are scaled at the start of the next (Eq. 7 and 9); where that overshoots to
+    less than half or more than double, the run ends and says so. The paper does not say
     where it starts: here with equal height differences of all segments, within the limits.
 
     Known elevations have no place in this method and are left out.
@@ -88,6 +91,14 @@ def published(
         before, heights = heights, following
         if targets.unknown_scale:
             next_scale = scale - settings.rate * float(_quotient(change, np.array(scale - scale_before)))
+            if not 1 / _WILDEST_SCALE <= next_scale <= _WILDEST_SCALE:
+                status = 2
+                message = (
+                    f"Stopped: the next scale factor would be {next_scale:.3g}. With this learning rate the published"
+                    " update of the scale overshoots; the recommended method finds the scale."
+                )
+                heights = before
+                break
             scale_before, scale = scale, next_scale
     return Solution(
         method="published",

@@ -99,7 +99,7 @@ def test_a_mirrored_picture_swaps_left_and_right_only(tmp_path: Path, truth: dic
 
 def test_points_on_the_way_lead_around_a_loop(tmp_path: Path) -> None:
     index = json.loads((LOOP / "index.json").read_text())
-    plan = next(item for item in index if item["crosses_itself"])
+    plan = next(item for item in index if item["crosses_itself"] and (LOOP / item["file"]).exists())
     drawn = columns(LOOP / plan["truth"])
     (before, after), *_ = plan["crossing_stations_m"]
     rows = [round(before + share * (after - before)) for share in (1 / 3, 2 / 3)]
@@ -109,8 +109,7 @@ def test_points_on_the_way_lead_around_a_loop(tmp_path: Path) -> None:
     assert run([*call, *clicks(plan), "--via", *via]) == 0
     traced = columns(output)
     length = np.hypot(np.diff(traced["x_m"]), np.diff(traced["y_m"])).sum()
-    true_length = np.hypot(np.diff(drawn["x_m"]), np.diff(drawn["y_m"])).sum()
-    assert abs(length - true_length) < 1.0
+    assert abs(length - plan["plan_length_m"]) < 1.0
 
 
 def test_a_world_file_gives_the_scale(tmp_path: Path, truth: dict[str, Any]) -> None:
