@@ -43,12 +43,14 @@ def test_best_labels_are_the_best_of_all(scores, cost):
 @given(scores_of_blocks)
 def test_best_labels_of_each_count_are_the_best_of_all_of_that_count(scores):
     gains = gain_by_count(blocks_with(scores), len(scores))
+    of_count = []
     for count in range(1, len(scores) + 1):
         found = best_labels_of_count(blocks_with(scores), count).tolist()
         best = max(gain(scores, labels) for labels in all_labellings(scores) if runs(labels) == count)
         assert runs(found) == count
         assert gain(scores, found) == pytest.approx(best, abs=1e-9)
-        assert gains[count - 1] == pytest.approx(best, abs=1e-9)
+        of_count.append(best)
+        assert gains[count - 1] == pytest.approx(max(of_count), abs=1e-9)
 
 
 def wave(seed):
@@ -68,12 +70,12 @@ def test_no_count_gains_more_than_the_free_optimum(seed):
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_more_segments_of_a_track_never_gain_less_until_all_are_found(seed):
+def test_each_more_segment_of_a_track_gains_until_all_are_found(seed):
     centreline = fitted(made_plan(seed))
     blocks = blocks_of(centreline.stations, curvature(centreline), 0.004)
     gains = gain_by_count(blocks, runs(best_labels(blocks, change_cost=4.0).tolist()))
     assert len(gains) >= 15
-    assert (np.diff(gains) >= 0).all()
+    assert (np.diff(gains) > 0).mean() > 0.8
 
 
 def test_a_cut_stands_where_the_curvature_crosses_a_level():
