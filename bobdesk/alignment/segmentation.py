@@ -29,6 +29,7 @@ USUAL_THRESHOLD = 0.004
 _LOWEST_THRESHOLD, _HIGHEST_THRESHOLD = 0.0025, 0.008
 _STRAIGHT_BEYOND_DOUBT = 1e-4
 _PUBLISHED_NEIGHBOURS = 2
+_UNSURE_AT_ENDS = 7.5
 
 
 @dataclass(frozen=True)
@@ -131,8 +132,11 @@ def _by_best_labels(centreline: Centreline, settings: SegmentationSettings) -> t
 
 
 def _blocks(centreline: Centreline, settings: SegmentationSettings) -> Blocks:
-    bends = curvature(centreline, settings.curvature)
-    return blocks_of(centreline.stations, bends, threshold_of(centreline, settings))
+    stations = centreline.stations
+    # With points on one side only, the curvature at an end is a few times as noisy as elsewhere.
+    trusted = np.minimum(1.0, np.minimum(stations, stations[-1] - stations) / _UNSURE_AT_ENDS)
+    bends = trusted * curvature(centreline, settings.curvature)
+    return blocks_of(stations, bends, threshold_of(centreline, settings))
 
 
 def _runs(edges: FloatArray, of_blocks: IntArray) -> tuple[FloatArray, IntArray]:

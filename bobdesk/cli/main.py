@@ -15,6 +15,7 @@ DONE, WRONG_CALL, UNUSABLE_INPUT, UNMET_TARGETS = 0, 2, 3, 4
 # Name, module, and the line that --help shows. Modules are imported when their command is called,
 # so that `bobdesk --help` needs neither numpy nor scipy.
 COMMANDS = {
+    "trace": "Follow the drawn line of a plan picture, and bring it to metres.",
     "segment": "Find the straights and curves of a plan.",
     "check": "Say whether length, drop and limits can be met, before any run.",
     "reconstruct": "Make the 3D centreline from plan, length and drop.",

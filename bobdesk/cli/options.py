@@ -12,15 +12,21 @@ import click
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 FILE = click.Path(path_type=Path)
-_PAIR = re.compile(r"^-?[\d.,eE+-]+(:-?[\d.,eE+-]+){1,2}$")
+# Options that take several values in a row, and what their values look like.
+_SEVERAL = {
+    "--known": re.compile(r"^-?[\d.,eE+-]+(:-?[\d.,eE+-]+){1,2}$"),
+    "--via": re.compile(r"^-?[\d.eE+-]+,-?[\d.eE+-]+$"),
+}
 
 
 class SeveralValues(click.Command):
-    """A command whose `--known` takes several values in a row, or is given several times."""
+    """A command whose `--known` or `--via` takes several values in a row, or is given several times."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Write `--known` before each of its values, then parse as usual."""
-        return super().parse_args(ctx, _spread(args, "--known", _PAIR))
+        """Write such an option before each of its values, then parse as usual."""
+        for option, pattern in _SEVERAL.items():
+            args = _spread(args, option, pattern)
+        return super().parse_args(ctx, args)
 
 
 def _spread(args: list[str], option: str, pattern: re.Pattern[str]) -> list[str]:

@@ -141,7 +141,7 @@ def decode_picture(
             from bobdesk.plan.svg_page import draw_svg
 
             return draw_svg(data, name=name, dpi=dpi, limit_megapixels=page_limit, before_decoding=tell)
-        from bobdesk.plan.raster import decode_raster
+        from bobdesk.plan.pillow_picture import decode_raster
 
         return decode_raster(
             data,

@@ -16,7 +16,7 @@ from bobdesk.plan.image import (
     check_page_size,
     grey_if_grey,
 )
-from bobdesk.plan.raster_pixels import pixels_of
+from bobdesk.plan.pillow_pixels import pixels_of
 from bobdesk.plan.svg_source import read_svg
 
 

@@ -30,7 +30,7 @@ class Feasibility:
         Shortest and longest 3D length of this plan under drop, limits and known elevations, m; the
         longest is where gradients begin to swing implausibly. None if no profile meets those.
     scale
-        The factor on the plan at which the smoothest profile has the wanted length, or None.
+        The factor on the plan at which a typical profile has the wanted length, or None.
     plan_length
         Length in plan, m.
     """

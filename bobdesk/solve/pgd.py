@@ -77,6 +77,10 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
             problem = yield from _with_scale(problem, settings, tally)
             scale = problem.scale
         result = yield from solve_stages(problem, settings, tally)
+        if targets.unknown_scale and settings.typical_swing > 0 and not result.met:
+            # The limits leave no room for the swing that tracks have: the smoothest profile it is.
+            settings = replace(settings, typical_swing=0.0)
+            continue
         stronger = _guarded(problem, result.v, guard)
         if stronger != guard:
             guard, through = stronger, None
@@ -128,7 +132,7 @@ def reach(
 def find_scale(
     centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings
 ) -> Generator[Iterate, None, float]:
-    """Find the factor on the plan at which the smoothest profile has the wanted length.
+    """Find the factor on the plan at which a profile with a typical swing has the wanted length.
 
     Raises
     ------
@@ -160,6 +164,7 @@ def _laid_out(
         scale=scale,
         downhill=guard.downhill,
         through=through,
+        level_out=settings.level_out,
     )
 
 
@@ -176,8 +181,9 @@ def _guarded(problem: Problem, v: FloatArray, guard: Guard) -> Guard:
 
 
 def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Generator[Iterate, None, Problem]:
-    """Find the factor on the plan at which the smoothest profile has the wanted length."""
-    target = problem.targets.length
+    """Find the factor on the plan at which the smoothest profile, with a typical swing, has the length."""
+    swung = 0.5 * settings.typical_swing**2 if settings.meet_length else 0.0
+    target = problem.targets.length / (1 + swung)
     for _ in range(_ROUNDS_OF_SCALE):
         project = Projection(problem.feasible_set)
         first = yield from smoothest_profile(problem, project, settings, tally)

@@ -17,6 +17,8 @@ from bobdesk.solve.profile import Profile, falls_between, make_profile
 from bobdesk.solve.projection import FeasibleSet
 from bobdesk.solve.targets import Targets
 
+_LONGEST_LEVEL_OUT = 0.25
+
 
 @dataclass(frozen=True, eq=False)
 class Problem:
@@ -39,6 +41,8 @@ class Problem:
         Ranges of stations in which the track may not climb, whatever the limits.
     through : (a-2,) or None
         Gradients at the inner anchors where they are known better than from the anchors alone.
+    level_out
+        Length over which the gradient is taken to die out before an end at the lowest point, m.
     """
 
     profile: Profile
@@ -47,6 +51,7 @@ class Problem:
     scale: float = 1.0
     downhill: tuple[tuple[float, float], ...] = ()
     through: FloatArray | None = None
+    level_out: float = 0.0
 
     @cached_property
     def piece_lengths(self) -> FloatArray:
@@ -93,6 +98,19 @@ class Problem:
         for start, end in self.downhill:
             lowest[(middles > start) & (middles < end)] = max(0.0, self.targets.min_gradient)
         return lowest
+
+    @cached_property
+    def tapers(self) -> FloatArray:
+        """Share that each piece has of the gradient before the end levels out, (p,), in (0, 1]."""
+        edges = self.scale * self.profile.edges
+        length = min(self.level_out, _LONGEST_LEVEL_OUT * float(edges[-1]))
+        if length <= 0 or self.anchors[-1].elevation > 0:
+            return np.ones(len(edges) - 1)
+        to_go = (edges[-1] - edges) / length
+        # Integral of min(1, to go) from the end.
+        area = np.where(to_go < 1, 0.5 * to_go**2, to_go - 0.5) * length
+        tapers: FloatArray = -np.diff(area) / np.diff(edges)
+        return tapers
 
     @cached_property
     def feasible_set(self) -> FeasibleSet:
@@ -146,6 +164,7 @@ def make_problem(
     scale: float = 1.0,
     downhill: tuple[tuple[float, float], ...] = (),
     through: FloatArray | None = None,
+    level_out: float = 0.0,
 ) -> Problem:
     """Put plan and targets together.
 
@@ -163,7 +182,7 @@ def make_problem(
         profile = make_profile(
             centreline, segments, breaks=breaks, kinks=kinks, transition=transition, longest_piece=longest_piece
         )
-        return Problem(profile, targets, anchors, scale, downhill, through)
+        return Problem(profile, targets, anchors, scale, downhill, through, level_out)
 
     problem = laid_out(())
     tight = _stretches_out_of_reach(problem)

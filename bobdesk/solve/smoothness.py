@@ -16,7 +16,9 @@ SMOOTHNESS_SCALE = 1e4
 class Smoothness:
     """Changes of gradient between neighbouring pieces.
 
-    J = sum (g_{m+1} - g_m)^2 / ((D_m + D_{m+1}) / 2), scaled by 1e4, which brings it near 1. The
+    J = sum (b_{m+1} - b_m)^2 / ((D_m + D_{m+1}) / 2), scaled by 1e4, which brings it near 1. b is the
+    gradient g divided by its taper: the drop is to the lowest point, where a track is level, so that
+    the gradient is taken to die out over the last metres and not to end as it was before. The
     difference between plan and 3D curvature needs no term of its own: with gradients that change
     gently it is some 1e-4 1/m by itself.
     """
@@ -28,12 +30,12 @@ class Smoothness:
 
     def __call__(self, v: FloatArray) -> tuple[float, FloatArray]:
         """Return value and derivative at the solvers' variables."""
-        jumps = np.diff(self._problem.gradients(v))
+        jumps = np.diff(self._problem.gradients(v) / self._problem.tapers)
         weighted = self._weights * jumps
         derivative = np.zeros(len(v))
         derivative[:-1] -= 2 * weighted
         derivative[1:] += 2 * weighted
-        derivative /= self._problem.roots
+        derivative /= self._problem.roots * self._problem.tapers
         return float(jumps @ weighted), derivative
 
 
@@ -46,6 +48,7 @@ def smoothest_without_limits(problem: Problem) -> FloatArray:
     feasible = problem.feasible_set
     count, stretches = len(lengths), len(feasible.falls)
     jumps = sparse.csr_array(sparse.eye_array(count - 1, count, k=1) - sparse.eye_array(count - 1, count))
+    jumps = jumps @ sparse.diags_array(1 / problem.tapers)
     weights = sparse.diags_array(1 / (0.5 * (lengths[1:] + lengths[:-1])))
     rows = sparse.csr_array(
         (feasible.weights * problem.roots, (feasible.stretch_of, np.arange(count))), shape=(stretches, count)

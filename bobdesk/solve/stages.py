@@ -36,8 +36,14 @@ class PgdSettings:
     plausible
         Largest root mean square of the change of gradient in stage two. A length that asks for
         more is met only as far as that.
+    typical_swing
+        Root mean square of the change of gradient that is expected of a track whose plan has no
+        scale; there the length tells the scale, and cannot tell the swing too.
     transition
         Length of the vertical transitions at gradient breaks, m; 0 for kinks.
+    level_out
+        The drop is to the lowest point, where a track is level: the gradient is taken to die out
+        over this length before it, m, or over a quarter of a short line; 0 for not at all.
     longest_piece
         Longer segments are divided into equal pieces, m: an even gradient over 100 m and more is
         not what tracks have. (At most some 300 divisions a line.)
@@ -53,7 +59,9 @@ class PgdSettings:
     meet_length: bool = True
     spread: float = 1e6
     plausible: float = 0.06
+    typical_swing: float = 0.03
     transition: float = 8.0
+    level_out: float = 30.0
     longest_piece: float = 40.0
     longest_swing: float = 60.0
     tolerance: float = 1e-8

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from bobdesk.alignment.centreline import FitSettings, fit_centreline
@@ -45,8 +47,7 @@ def solved(method: str, stations: int, count: int) -> Row:
     centreline = fit_centreline(polyline_from_points(points)[0], FitSettings())
     bounds = [0.0, *edges, centreline.length]
     segments = tuple(
-        Segment("curve" if index % 2 else "straight", start, end)
-        for index, (start, end) in enumerate(zip(bounds[:-1], bounds[1:], strict=True))
+        Segment("curve" if index % 2 else "straight", start, end) for index, (start, end) in enumerate(pairwise(bounds))
     )
     drop = 0.1 * centreline.length
     targets = Targets(1.0008 * float(np.hypot(centreline.length, drop)), drop, 0.1, "drop-per-plan")

@@ -9,7 +9,9 @@ import numpy as np
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segment_figures import segment_figures
 from bobdesk.alignment.segments import Segments
+from bobdesk.arrays import FloatArray
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, Flavour, to_csv
+from bobdesk.plan.trace import Trace
 from bobdesk.solve.envelope import Envelope
 from bobdesk.track.centreline3d import Centreline3D
 
@@ -58,6 +60,15 @@ def segments_table(centreline: Centreline, segments: Segments, *, flavour: Flavo
         )
     header = ("segment", "kind", "from_m", "to_m", "radius_m", "turn_rad")
     return to_csv(header, rows, flavour or FLAVOURS["default"])
+
+
+def trace_table(metres: FloatArray, trace: Trace) -> bytes:
+    """Return PLAN.csv of a trace: metres, pixels, and how sure each point is."""
+    columns = np.column_stack([metres, trace.points, trace.confidence]) + 0.0
+    rows = [
+        [f"{x:.4f}", f"{y:.4f}", f"{px:.3f}", f"{py:.3f}", f"{sure:.3f}"] for x, y, px, py, sure in columns.tolist()
+    ]
+    return to_csv(("x_m", "y_m", "px", "py", "confidence"), rows, FLAVOURS["default"])
 
 
 def envelope_table(band: Envelope) -> bytes:
