@@ -70,7 +70,7 @@ def _plan(view: Any, line: Centreline3D, title: str) -> None:
     # A straight is a thin line, a curve a thicker one: told apart without colour too.
     for kind, colour, width in (("straight", palette.STRAIGHT, 2), ("curve", palette.CURVE, 4)):
         joined = np.array([segment.kind == kind for segment in line.segments])[line.segment_of[:-1]]
-        plot.plot(x, y, pen=pg.mkPen(colour, width=width), connect=np.append(joined, False), name=kind)
+        plot.plot(x, y, antialias=True, pen=pg.mkPen(colour, width=width), connect=np.append(joined, False), name=kind)
     for at, name, symbol in ((0, "Start", "o"), (-1, "Finish", "s")):
         plot.plot(x[[at]], y[[at]], pen=None, symbol=symbol, symbolSize=12, symbolBrush=palette.INK, symbolPen=None)
         label = pg.TextItem(name, color=palette.INK, anchor=(-0.15, 0.5))
@@ -88,7 +88,7 @@ def _gradient(view: Any, line: Centreline3D, targets: Targets) -> Any:
     _style(plot, "", "gradient", "%")
     _shade_curves(plot, line)
     thin = _thinned(len(line.stations))
-    plot.plot(line.stations[thin], 100 * line.gradients[thin], pen=pg.mkPen(palette.PROFILE, width=2))
+    plot.plot(line.stations[thin], 100 * line.gradients[thin], antialias=True, pen=pg.mkPen(palette.PROFILE, width=2))
     largest, smallest = float(line.gradients.max()), float(line.gradients.min())
     for limit in (targets.min_gradient, targets.max_gradient):
         if smallest - 0.03 <= limit <= largest + 0.03:
@@ -111,7 +111,7 @@ def _elevation(view: Any, line: Centreline3D, band: Envelope | None, targets: Ta
             for edge in (band.lowest, np.minimum(band.highest, 1.15 * targets.drop))
         ]
         plot.addItem(pg.FillBetweenItem(*edges, brush=pg.mkBrush(*palette.BAND_SHADE)))
-    plot.plot(line.stations[thin], line.elevations[thin], pen=pg.mkPen(palette.PROFILE, width=3))
+    plot.plot(line.stations[thin], line.elevations[thin], antialias=True, pen=pg.mkPen(palette.PROFILE, width=3))
     if targets.known:
         plot.plot(
             [known.station for known in targets.known],
