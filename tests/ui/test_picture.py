@@ -6,6 +6,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pypdfium2
 import pytest
+import resvg_py
 from PIL import Image
 
 from bobdesk.alignment.centreline import fit_centreline
@@ -66,13 +67,15 @@ def test_png(drawn):
 
 
 def test_svg_is_well_formed_and_shows_its_words(drawn):
-    root = ElementTree.fromstring(drawn(".svg"))
+    content = drawn(".svg")
+    root = ElementTree.fromstring(content)
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert root.get("viewBox").split() == ["0", "0", "1500", "1250"]
     words = " ".join(root.itertext())
     for word in ("elevation (m)", "gradient (%)", "station (m)", "Start", "Finish", "straight", "curve", "Größe"):
         assert word in words, word
-    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 5
+    png = resvg_py.svg_to_bytes(svg_string=content.decode(), dpi=72.0, background="#ffffff")
+    assert_drawn(np.asarray(Image.open(io.BytesIO(bytes(png))).convert("RGB")))
 
 
 def test_pdf_is_one_page_of_the_right_shape(drawn):
