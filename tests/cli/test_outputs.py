@@ -78,7 +78,7 @@ def test_an_output_would_overwrite_an_input(call, monkeypatch):
     call("segment", "plan.csv", "-o", "s.csv")
     link = call.path("link.csv")
     link.symlink_to(call.plan)
-    for plan in (call.plan, "plan.csv", "../work/plan.csv", link):
+    for plan in (call.plan, "plan.csv", "../here/plan.csv", link):
         assert "overwrite" in call.refused("segment", call.plan, "-o", plan, status=2)
         assert "overwrite" in call.refused("reconstruct", call.plan, *TARGETS, "-o", plan, status=2)
         assert "overwrite" in call.refused("check", call.plan, *TARGETS, "--report", plan, status=2)
@@ -88,7 +88,7 @@ def test_an_output_would_overwrite_an_input(call, monkeypatch):
 
 def test_two_outputs_are_the_same_file(call, monkeypatch):
     monkeypatch.chdir(call.folder)
-    for other in ("l.csv", "./l.csv", "../work/l.csv", call.path("l.csv")):
+    for other in ("l.csv", "./l.csv", "../here/l.csv", call.path("l.csv")):
         arguments = ("reconstruct", call.plan, *TARGETS, "-o", "l.csv")
         assert "two outputs" in call.refused(*arguments, "--report", other, status=2)
 

@@ -6,7 +6,6 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pypdfium2
 import pytest
-import resvg_py
 from PIL import Image
 
 from bobdesk.alignment.centreline import fit_centreline
@@ -74,8 +73,30 @@ def test_svg_is_well_formed_and_shows_its_words(drawn):
     words = " ".join(root.itertext())
     for word in ("elevation (m)", "gradient (%)", "station (m)", "Start", "Finish", "straight", "curve", "Größe"):
         assert word in words, word
-    png = resvg_py.svg_to_bytes(svg_string=content.decode(), dpi=72.0, background="#ffffff")
-    assert_drawn(np.asarray(Image.open(io.BytesIO(bytes(png))).convert("RGB")))
+    assert_drawn(rendered_by_qt(content))
+
+
+def rendered_by_qt(svg):
+    from PySide6.QtGui import QImage, QPainter
+    from PySide6.QtSvg import QSvgRenderer
+
+    image = QImage(1500, 1250, QImage.Format.Format_RGB888)
+    image.fill(0xFFFFFFFF)
+    painter = QPainter(image)
+    QSvgRenderer(svg).render(painter)
+    painter.end()
+    # Copied, since the bytes belong to the image, and that ends here.
+    return np.frombuffer(image.constBits(), np.uint8).reshape(1250, 1500, 3).copy()
+
+
+def test_svg_and_png_look_alike(drawn):
+    png = np.asarray(Image.open(io.BytesIO(drawn(".png"))).convert("RGB"))
+    svg = rendered_by_qt(drawn(".svg"))
+    for colour in (ORANGE, BLUE):
+        assert near(svg, colour) == pytest.approx(near(png, colour), rel=0.25)
+    # The axis below the plan reaches as far to the right.
+    dark = [np.flatnonzero((pixels[640:670] < 200).any(axis=(0, 2))).max() for pixels in (png, svg)]
+    assert dark[1] == pytest.approx(dark[0], abs=5)
 
 
 def test_pdf_is_one_page_of_the_right_shape(drawn):
