@@ -19,8 +19,8 @@ from bobdesk.cli.options import (
     target_options,
 )
 from bobdesk.cli.reports import check_report
-from bobdesk.cli.steps import plan_and_segments, targets_from, to_json
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.cli.steps import check_outputs, plan_and_segments, targets_from, to_json
+from bobdesk.files.atomic import write_atomic
 from bobdesk.solve.feasibility import feasibility
 
 
@@ -45,8 +45,7 @@ def command(
 ) -> None:
     """Say whether the figures can hold together for PLAN: what conflicts, with numbers, and what to doubt."""
     targets = targets_from(**options)
-    if report is not None:
-        check_writable(report)
+    check_outputs([report], inputs=[plan, segments])
     given = plan_and_segments(
         plan,
         targets,

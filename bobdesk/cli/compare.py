@@ -10,9 +10,9 @@ import numpy as np
 from bobdesk.arrays import FloatArray
 from bobdesk.cli.options import FILE, report_option
 from bobdesk.cli.reports import comparison_report
-from bobdesk.cli.steps import to_json
+from bobdesk.cli.steps import check_outputs, to_json
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.files.atomic import write_atomic
 from bobdesk.files.importers.csv_points import read_csv_points
 from bobdesk.track.comparison import compare
 
@@ -27,8 +27,7 @@ def command(line: Path, actual: Path, report: Path | None) -> None:
     Both are CSV files with the columns x_m, y_m and z_m, from start to end. Elevations count from each
     line's lowest point, and places are compared at equal shares of the plan length.
     """
-    if report is not None:
-        check_writable(report)
+    check_outputs([report], inputs=[line, actual])
     found = compare(_points(line), _points(actual))
     if report is not None:
         write_atomic(report, to_json(comparison_report(found)))

@@ -49,22 +49,48 @@ def _combined(*decorators: Callable[[Function], Function]) -> Callable[[Function
     return lambda function: reduce(lambda inner, decorate: decorate(inner), reversed(decorators), function)
 
 
+def _within(lowest: float, highest: float) -> Callable[..., float | None]:
+    """Return a check that an option's number lies within limits; NaN does not."""
+
+    def check(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
+        if value is not None and not lowest <= value <= highest:
+            raise click.BadParameter(f"it must lie between {lowest:g} and {highest:g}, not {value:g}.")
+        return value
+
+    return check
+
+
 plan_argument = click.argument("plan", type=FILE)
 
 plan_options = _combined(
-    click.option("--spacing", type=float, default=1.0, show_default=True, help="Distance between stations, m."),
+    click.option(
+        "--spacing",
+        type=float,
+        default=1.0,
+        show_default=True,
+        callback=_within(0.1, 10),
+        help="Distance between stations (rows of the result), m.",
+    ),
     click.option(
         "--wavelength",
         type=float,
         default=15.0,
         show_default=True,
+        callback=_within(0, 200),
         help="Smoothing: waves shorter than this are taken for noise, m. 20 suits clicks by hand, 0 is none.",
     ),
 )
 
 segment_options = _combined(
-    click.option("--count", type=int, help="Wanted number of segments; found automatically without it."),
-    click.option("--threshold", type=float, help="Curvature that parts straight from curve, 1/m; automatic without."),
+    click.option(
+        "--count", type=click.IntRange(min=1), help="Wanted number of segments; found automatically without it."
+    ),
+    click.option(
+        "--threshold",
+        type=float,
+        callback=_within(1e-5, 1),
+        help="Curvature (1 / radius) that parts straight from curve, 1/m; automatic without.",
+    ),
 )
 
 target_options = _combined(
@@ -80,9 +106,13 @@ target_options = _combined(
         " the mean over the segments' gradients is held.",
     ),
     click.option(
-        "--min-gradient", type=float, default=-0.2, show_default=True, help="Smallest gradient; uphill is < 0."
+        "--min-gradient",
+        type=float,
+        default=-0.2,
+        show_default=True,
+        help="Smallest gradient, as a number: fall per metre of plan, uphill is < 0.",
     ),
-    click.option("--max-gradient", type=float, default=0.25, show_default=True, help="Largest gradient."),
+    click.option("--max-gradient", type=float, default=0.25, show_default=True, help="Largest gradient, as a number."),
     click.option(
         "--known",
         multiple=True,

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any, cast, get_args
 
 import click
+import numpy as np
 
 from bobdesk.cli.main import UnmetTargetsError
 from bobdesk.cli.options import (
@@ -20,8 +21,9 @@ from bobdesk.cli.options import (
     target_options,
 )
 from bobdesk.cli.reports import run_report
-from bobdesk.cli.steps import plan_and_segments, targets_from, to_json, with_progress
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.cli.steps import check_outputs, plan_and_segments, targets_from, to_json, with_progress
+from bobdesk.errors import TargetError
+from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
@@ -35,6 +37,7 @@ from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
 
 _METHODS = get_args(Method)
+_WITHOUT_KNOWN = ("published", "lbfgsb", "de")
 
 
 @click.command("reconstruct", cls=SeveralValues)
@@ -103,7 +106,9 @@ def command(
     said, and `bobdesk check` says it beforehand.
     """
     targets = targets_from(**options)
-    _check_outputs(output, report, band, picture)
+    check_outputs([output, report, band, picture], inputs=[plan, segments])
+    if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
+        raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
     if not 0 <= transition <= 200:
         raise click.UsageError(f"--transition must lie between 0 and 200 m, not {transition:g}")
     weights = Weights(weight_length, weight_height, weight_curvature, weight_gradient)
@@ -131,7 +136,10 @@ def command(
 
     started = time.perf_counter()
     run = solve(given.centreline, given.segments, given.targets, settings)
-    solution = with_progress(run, method)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        solution = with_progress(run, method)
+    if not np.isfinite([solution.objective, solution.scale, *solution.gradients]).all():
+        raise TargetError(f"the method {method} ran off to infinity on these figures; use the method pgd")
     seconds = time.perf_counter() - started
     line = make_centreline3d(given.centreline, given.segments, solution)
     found = figures(line)
@@ -155,21 +163,10 @@ def command(
         off = deviations(found, targets)
         files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))
     files[output] = line_table(line, flavour=flavour)
-    for path, content in files.items():
-        write_atomic(path, content)
+    write_all(files)
     _say(possible.feasible, possible.sentence, solution.message, found, output)
-    if method == "published" and targets.known:
-        click.echo("note: the published method has no known elevations; they were left out", err=True)
-
-
-def _check_outputs(output: Path, report: Path | None, band: Path | None, picture: Path | None) -> None:
-    given = [path for path in (output, report, band, picture) if path is not None]
-    if len({path.absolute() for path in given}) < len(given):
-        raise click.UsageError("two outputs have the same name")
-    if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
-        raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
-    for path in given:
-        check_writable(path)
+    if method in _WITHOUT_KNOWN and targets.known:
+        click.echo(f"note: the method {method} has no known elevations; they were left out", err=True)
 
 
 def _say(feasible: bool, sentence: str, message: str, found: Figures, output: Path) -> None:

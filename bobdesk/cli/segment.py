@@ -8,8 +8,8 @@ import click
 
 from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
 from bobdesk.cli.options import FILE, plan_argument, plan_options, segment_options
-from bobdesk.cli.steps import fitted_plan
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.cli.steps import check_outputs, fitted_plan
+from bobdesk.files.atomic import write_atomic
 from bobdesk.files.exporters.tables import segments_table
 
 
@@ -26,7 +26,7 @@ def command(
     Writes segment, kind, from_m, to_m, radius_m, turn_rad. Correct the file by hand where it needs
     it, and hand it to `bobdesk reconstruct --segments`.
     """
-    check_writable(output)
+    check_outputs([output], inputs=[plan])
     centreline = fitted_plan(plan, spacing=spacing, wavelength=wavelength)
     segments = detect_segments(centreline, SegmentationSettings(threshold=threshold, count=count))
     write_atomic(output, segments_table(centreline, segments))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 import time
 from collections.abc import Generator, Iterable
@@ -16,6 +17,7 @@ from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
 from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError
+from bobdesk.files.atomic import check_writable
 from bobdesk.files.importers.csv_points import ImportedLine, read_csv_points
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.plan.polyline import Polyline, edge_lengths
@@ -25,6 +27,7 @@ from bobdesk.solve.targets import DEFINITIONS, KnownElevation, Targets, check_ta
 Result = TypeVar("Result")
 _QUIET_FOR = 0.5
 _BAR = 30
+_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 @dataclass(frozen=True)
@@ -43,6 +46,20 @@ class PlanInput:
     segments: Segments
     targets: Targets
     factor: float
+
+
+def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | None]) -> None:
+    """Refuse outputs that cannot be written, are the same file, or would overwrite an input."""
+    given = [path for path in outputs if path is not None]
+    for path in given:
+        check_writable(path)
+    places = [path.resolve() for path in given]
+    if len(set(places)) < len(places):
+        raise click.UsageError("two outputs have the same name")
+    read = [path for path in inputs if path is not None]
+    for path, place in zip(given, places, strict=True):
+        if any(place == other.resolve() for other in read):
+            raise click.UsageError(f"{path}: the output would overwrite an input; give it another name")
 
 
 def read_plan(path: Path) -> ImportedLine:
@@ -73,6 +90,8 @@ def plan_and_segments(
     A plan of unknown scale is first enlarged to about the wanted length, so that spacing, smoothing
     and curvature threshold mean metres.
     """
+    if segments_from is not None and (count is not None or threshold is not None):
+        raise click.UsageError("--segments gives the segments, so --count and --threshold cannot be given too")
     polyline = read_plan(path).polyline
     factor = 1.0
     if targets.unknown_scale:
@@ -127,11 +146,8 @@ def targets_from(
 
 def _known(text: str) -> KnownElevation:
     parts = text.split(":")
-    try:
-        numbers = [float(part) for part in parts]
-    except ValueError:
-        numbers = []
-    if len(numbers) not in (2, 3):
+    numbers = [float(part) for part in parts if _NUMBER.fullmatch(part.strip())]
+    if len(numbers) not in (2, 3) or len(numbers) < len(parts):
         raise click.UsageError(f"--known takes STATION:ELEVATION, two numbers in metres such as 250:98.5, not '{text}'")
     return KnownElevation(*numbers)
 

@@ -84,6 +84,9 @@ def published(
         value_before, value = value, objective.value(heights / plan, scale)
         yield _iterate(number, heights, profile, scale, value, objective, targets)
         change = value - value_before
+        if not np.isfinite(change):
+            status, message = 2, "J ran off to infinity."
+            break
         if abs(change) < settings.threshold:
             status, message = 0, f"J changed by less than {settings.threshold:g}."
             break

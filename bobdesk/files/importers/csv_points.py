@@ -10,7 +10,7 @@ import numpy as np
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files.importers.table import Table, read_table
-from bobdesk.plan.polyline import Polyline, polyline_from_points
+from bobdesk.plan.polyline import LARGEST_COORDINATE, Polyline, polyline_from_points
 
 _X = ("x_m", "x", "easting", "east", "x [m]", "x(m)", "x (m)")
 _Y = ("y_m", "y", "northing", "north", "y [m]", "y(m)", "y (m)")
@@ -49,6 +49,13 @@ def read_csv_points(path: Path) -> ImportedLine:
     notes: list[str] = []
     x, y, z = _columns(table, notes)
     points = np.column_stack([table.column(x, _title(table, x)), table.column(y, _title(table, y))])
+    beyond = np.argwhere(np.abs(points) >= LARGEST_COORDINATE)
+    if len(beyond):
+        row, axis = beyond[0].tolist()
+        raise InputError(
+            f"{path}, line {table.lines[row]}, column {_title(table, (x, y)[axis])} holds {points[row, axis]:g};"
+            " coordinates beyond 100,000 km cannot be used: are they metres?"
+        )
     elevations = None if z is None else table.column(z, _title(table, z))
     try:
         polyline, kept = polyline_from_points(points)

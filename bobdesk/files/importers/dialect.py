@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import csv
 import math
 import re
 from dataclasses import dataclass
 
 SEPARATORS = (",", ";", "\t", "|", " ")
 _SAMPLE = 400
+_LARGEST_SAMPLE = 200_000
 _SPACES = re.compile(r"[ \t]+")
 
 
@@ -31,11 +33,12 @@ def guess_dialect(lines: list[str]) -> Dialect:
     Among equals the one that gives the more even table wins, then the more usual one: "1,234" alone
     is ambiguous by nature.
     """
-    sample = lines[:_SAMPLE]
+    sample = lines[: max(1, min(_SAMPLE, _LARGEST_SAMPLE // max(map(len, lines[:_SAMPLE]))))]
+    quoted = any('"' in line for line in sample)
     best, best_score = Dialect(",", "."), (-1.0, -1.0, -1.0)
     for rank, separator in enumerate(SEPARATORS):
         for decimal in (".", ","):
-            if separator == decimal:
+            if separator == decimal and not quoted:
                 continue
             dialect = Dialect(separator, decimal)
             rows = [[number(cell, dialect) for cell in cells_of(line, dialect)] for line in sample]
@@ -51,7 +54,13 @@ def guess_dialect(lines: list[str]) -> Dialect:
 def cells_of(line: str, dialect: Dialect) -> list[str]:
     """Cut a line into its cells, without blanks and quotes around them."""
     if dialect.separator == " ":
-        return _SPACES.split(line.strip())
+        return [cell.strip('"') for cell in _SPACES.split(line.strip())]
+    if '"' in line:
+        try:
+            row = next(csv.reader([line.rstrip("\r\n")], delimiter=dialect.separator, skipinitialspace=True))
+        except csv.Error:
+            row = line.split(dialect.separator)
+        return [cell.strip().strip('"').strip() for cell in row]
     return [cell.strip().strip('"').strip() for cell in line.rstrip("\r\n").split(dialect.separator)]
 
 

@@ -17,6 +17,8 @@ from bobdesk.plan.polyline import MOST_VERTICES
 
 _LARGEST_FILE = 400_000_000
 _COMMENT = "#"
+_LONGEST_ROW = 100_000
+_MOST_CELLS = 12_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +55,11 @@ class Table:
         """
         values = np.empty(len(self.rows))
         for row, cells in enumerate(self.rows):
+            if self.header is not None and any(cells[len(self.header) :]):
+                raise InputError(
+                    f"{self.name}, line {self.lines[row]}: the row has {len(cells)} cells, but the header names"
+                    f" {len(self.header)} columns; are there decimal commas between commas?"
+                )
             if index >= len(cells):
                 raise InputError(f"{self.name}, line {self.lines[row]}: there is no column {title}")
             values[row] = number(cells[index], self.dialect)
@@ -72,12 +79,13 @@ def read_bytes(path: Path) -> bytes:
         If it is missing, a folder, unreadable, empty or too large.
     """
     try:
-        size = path.stat().st_size
         if path.is_dir():
             raise InputError(f"{path}: this is a folder, not a file")
-        if size > _LARGEST_FILE:
-            raise InputError(f"{path}: the file is {size / 1e6:,.0f} MB large; the most that is read is 400 MB")
-        data = path.read_bytes()
+        # A device or a pipe has no size, and may never end.
+        with path.open("rb") as stream:
+            data = b"" if path.stat().st_size > _LARGEST_FILE else stream.read(_LARGEST_FILE + 1)
+        if (not data and path.stat().st_size) or len(data) > _LARGEST_FILE:
+            raise InputError(f"{path}: the file is too large; the most that is read is 400 MB")
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such file") from None
     except OSError as error:
@@ -96,7 +104,7 @@ def read_table(path: Path) -> Table:
         If it cannot be read, is no text, or has too many rows.
     """
     data = read_bytes(path)
-    count = data.count(b"\n")
+    count = max(data.count(b"\n"), data.count(b"\r"))
     if count > MOST_VERTICES + 1000:
         raise InputError(
             f"{path}, line {MOST_VERTICES + 2:,}: the file goes on to line {count:,}, but the most that can be used"
@@ -111,7 +119,14 @@ def read_table(path: Path) -> Table:
     if not numbered:
         raise InputError(f"{path}: the file holds no rows")
     lines = [line for _, line in numbered]
+    position, longest = max(numbered, key=lambda item: len(item[1]))
+    if len(longest) > _LONGEST_ROW:
+        raise InputError(
+            f"{path}, line {position}: the row has {len(longest):,} characters; this is no table of points"
+        )
     dialect = guess_dialect(lines[1:] or lines)
+    if text.count(dialect.separator) > _MOST_CELLS:
+        raise InputError(f"{path}: the table has over {_MOST_CELLS:,} cells; keep the columns x_m, y_m and z_m alone")
     rows = [cells_of(line, dialect) for line in lines]
     positions = [position for position, _ in numbered]
     header: list[str] | None = None

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from bobdesk.arrays import FloatArray
 from bobdesk.solve.envelope import Envelope
 from bobdesk.solve.targets import Targets
 from bobdesk.track.centreline3d import Centreline3D
@@ -14,7 +15,7 @@ from bobdesk.ui.plots import palette
 from bobdesk.ui.qt import application_without_screen
 
 _SIZE = (1500, 1250)
-_PDF_DPI = 96
+_DPI = 96
 _MOST_POINTS = 4000
 
 
@@ -69,8 +70,8 @@ def _plan(view: Any, line: Centreline3D, title: str) -> None:
     x, y = line.points[:, 0], line.points[:, 1]
     # A straight is a thin line, a curve a thicker one: told apart without colour too.
     for kind, colour, width in (("straight", palette.STRAIGHT, 2), ("curve", palette.CURVE, 4)):
-        joined = np.array([segment.kind == kind for segment in line.segments])[line.segment_of[:-1]]
-        plot.plot(x, y, pen=pg.mkPen(colour, width=width), connect=np.append(joined, False), name=kind)
+        path = _pieces(line, kind)
+        plot.plot(*path.T, antialias=True, pen=pg.mkPen(colour, width=width), connect="finite", name=kind)
     for at, name, symbol in ((0, "Start", "o"), (-1, "Finish", "s")):
         plot.plot(x[[at]], y[[at]], pen=None, symbol=symbol, symbolSize=12, symbolBrush=palette.INK, symbolPen=None)
         label = pg.TextItem(name, color=palette.INK, anchor=(-0.15, 0.5))
@@ -81,6 +82,19 @@ def _plan(view: Any, line: Centreline3D, title: str) -> None:
         legend.addItem(item, item.name())
 
 
+def _pieces(line: Centreline3D, kind: str) -> FloatArray:
+    """Return the points of all segments of a kind, (n, 2), with NaN between them.
+
+    Points that a path only skips would be dots of its colour in an SVG.
+    """
+    pieces: list[FloatArray] = [np.full((1, 2), np.nan)]
+    for index, segment in enumerate(line.segments):
+        rows = np.flatnonzero(line.segment_of == index)
+        if segment.kind == kind and len(rows):
+            pieces += [line.points[rows[0] : rows[-1] + 2, :2], pieces[0]]
+    return np.concatenate(pieces[1:]) if len(pieces) > 1 else pieces[0]
+
+
 def _gradient(view: Any, line: Centreline3D, targets: Targets) -> Any:
     import pyqtgraph as pg
 
@@ -88,7 +102,7 @@ def _gradient(view: Any, line: Centreline3D, targets: Targets) -> Any:
     _style(plot, "", "gradient", "%")
     _shade_curves(plot, line)
     thin = _thinned(len(line.stations))
-    plot.plot(line.stations[thin], 100 * line.gradients[thin], pen=pg.mkPen(palette.PROFILE, width=2))
+    plot.plot(line.stations[thin], 100 * line.gradients[thin], antialias=True, pen=pg.mkPen(palette.PROFILE, width=2))
     largest, smallest = float(line.gradients.max()), float(line.gradients.min())
     for limit in (targets.min_gradient, targets.max_gradient):
         if smallest - 0.03 <= limit <= largest + 0.03:
@@ -111,7 +125,7 @@ def _elevation(view: Any, line: Centreline3D, band: Envelope | None, targets: Ta
             for edge in (band.lowest, np.minimum(band.highest, 1.15 * targets.drop))
         ]
         plot.addItem(pg.FillBetweenItem(*edges, brush=pg.mkBrush(*palette.BAND_SHADE)))
-    plot.plot(line.stations[thin], line.elevations[thin], pen=pg.mkPen(palette.PROFILE, width=3))
+    plot.plot(line.stations[thin], line.elevations[thin], antialias=True, pen=pg.mkPen(palette.PROFILE, width=3))
     if targets.known:
         plot.plot(
             [known.station for known in targets.known],
@@ -171,13 +185,15 @@ def _rendered(view: Any, kind: str) -> bytes:
     device: Any
     if kind == ".svg":
         device = QSvgGenerator()
+        # Axes are recorded at the screen's resolution; at another one they would come out smaller.
+        device.setResolution(_DPI)
         device.setOutputDevice(buffer)
         device.setSize(QSize(width, height))
         device.setViewBox(QRectF(0, 0, width, height))
     elif kind == ".pdf":
         device = QPdfWriter(buffer)
-        device.setResolution(_PDF_DPI)
-        size = QSizeF(72 * width / _PDF_DPI, 72 * height / _PDF_DPI)
+        device.setResolution(_DPI)
+        size = QSizeF(72 * width / _DPI, 72 * height / _DPI)
         device.setPageSize(QPageSize(size, QPageSize.Unit.Point))
         device.setPageMargins(QMarginsF(0, 0, 0, 0))
     else:
