@@ -1,4 +1,4 @@
-"""The two objectives of the recommended method: the smoothest profile, and the least change from it."""
+"""The two objectives of the recommended method: the smoothest profile, and swings about it."""
 
 from __future__ import annotations
 
@@ -109,10 +109,10 @@ class Swings:
         summed: FloatArray = np.asarray(np.add.reduceat(by_piece, self._starts), dtype=np.float64)
         return summed
 
-    def patterns(self) -> list[FloatArray]:
-        """Return starts for stage two: swings of ±1 in turn, both ways round."""
-        turn = np.where(np.arange(self.count) % 2, -1.0, 1.0) * self._roots
-        return [turn, -turn]
+    def pattern(self) -> FloatArray:
+        """Return swings of +1 and -1 in turn, (groups,)."""
+        turn: FloatArray = np.where(np.arange(self.count) % 2, -1.0, 1.0) * self._roots
+        return turn
 
     def difference(self, swings: FloatArray) -> FloatArray:
         """Return the change of each piece's gradient, (p,)."""
@@ -136,58 +136,50 @@ def _groups(problem: Problem, longest: float) -> IntArray:
     total = np.add.reduceat(lengths, starts)[of_run]
     before = np.concatenate([[0.0], np.cumsum(lengths)[:-1]])
     middle = before - before[starts][of_run] + 0.5 * lengths
-    part = np.floor(middle / total * np.maximum(np.ceil(total / longest - 1e-9), 1.0)).astype(np.int64)
+    # A piece that lies in the middle between two parts goes to the later one, whatever the rounding.
+    part = np.floor(middle / total * np.maximum(np.ceil(total / longest - 1e-9), 1.0) + 1e-6).astype(np.int64)
     changes = (np.diff(of_run, prepend=0) != 0) | (np.diff(part, prepend=0) != 0)
     changes[0] = False
     groups: IntArray = np.cumsum(changes)
     return groups
 
 
-class ChangeToLength:
-    """The least change of elevation from the smoothest profile, spread evenly, that meets the length.
+class Swinging:
+    """Swings of a given size in turn, that change the elevation as little as they can.
 
-    J = 1/S [ integral (z - z_s)^2 ds + mu * integral (g - g_s)^4 ds ]
+    J = 1/S [ integral (z - z_s)^2 ds + evenness * integral (g - g_s - size * turn)^2 ds ]
 
-    under the length, by the augmented Lagrangian: multiplier * eL + penalty / 2 * eL^2 with
-    eL = length - target. The quartic term keeps the change from piling up in a few short pieces.
+    where turn is +1 and -1 from segment to segment. For each size it is convex, so that there is one
+    answer; the size is then what the length asks for. (The length as an equation beside the change
+    of elevation alone has many local optima, and rounding decides which one is found.)
     """
 
-    def __init__(self, problem: Problem, swings: Swings, spread: float, length: float) -> None:
-        self._problem = problem
+    def __init__(self, problem: Problem, swings: Swings, turn: FloatArray, evenness: float) -> None:
+        self._lengths = problem.piece_lengths
+        self._total = float(self._lengths.sum())
         self._swings = swings
-        self._spread = spread
-        self._target = length
-        self._total = float(problem.piece_lengths.sum())
-        self.multiplier = 0.0
-        self.penalty = 10.0
-
-    def excess(self, swings: FloatArray) -> float:
-        """Return the length over the target, m."""
-        return self._problem.length_of(self._swings.gradients(swings))[0] - self._target
-
-    def change(self, swings: FloatArray) -> float:
-        """Return J without the terms of the length."""
-        return self._change(self._swings.difference(swings))[0]
+        self._turn = swings.difference(turn)
+        self._evenness = evenness / self._total
+        self.size = 0.0
 
     def __call__(self, swings: FloatArray) -> tuple[float, FloatArray]:
-        """Return value and derivative of the augmented Lagrangian."""
+        """Return value and derivative at the variables of stage two."""
         difference = self._swings.difference(swings)
-        value, by_gradient = self._change(difference)
-        length, by_length = self._problem.length_of(self._swings.gradients(swings))
-        excess = length - self._target
-        value += self.multiplier * excess + 0.5 * self.penalty * excess * excess
-        by_gradient += (self.multiplier + self.penalty * excess) * by_length
-        return value, self._swings.derivative(by_gradient)
+        off = difference - self.size * self._turn
+        change, by_gradient = self._change_of_elevation(difference)
+        weighted = self._evenness * self._lengths * off
+        return change + float(weighted @ off), self._swings.derivative(by_gradient + 2 * weighted)
 
-    def _change(self, difference: FloatArray) -> tuple[float, FloatArray]:
-        lengths = self._problem.piece_lengths
-        fallen = np.concatenate([[0.0], np.cumsum(-lengths * difference)])
+    def change(self, swings: FloatArray) -> float:
+        """Return the mean square change of the elevation, m²."""
+        return self._change_of_elevation(self._swings.difference(swings))[0]
+
+    def _change_of_elevation(self, difference: FloatArray) -> tuple[float, FloatArray]:
+        fallen = np.concatenate([[0.0], np.cumsum(-self._lengths * difference)])
         before, after = fallen[:-1], fallen[1:]
-        thirds = lengths / (3 * self._total)
+        thirds = self._lengths / (3 * self._total)
         value = float(thirds @ (before * before + before * after + after * after))
         by_edge = np.zeros(len(fallen))
         by_edge[:-1] += thirds * (2 * before + after)
         by_edge[1:] += thirds * (before + 2 * after)
-        derivative = -lengths * np.cumsum(by_edge[:0:-1])[::-1]
-        cubes = (self._spread / self._total) * lengths * difference**3
-        return value + float(cubes @ difference), derivative + 4 * cubes
+        return value, -self._lengths * np.cumsum(by_edge[:0:-1])[::-1]

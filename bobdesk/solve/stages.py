@@ -6,19 +6,22 @@ import math
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 
+import numpy as np
 from scipy.optimize import brentq
 
 from bobdesk.arrays import FloatArray
 from bobdesk.solve.iterates import Iterate
 from bobdesk.solve.problem import Problem
 from bobdesk.solve.projection import Projection
-from bobdesk.solve.smoothness import ChangeToLength, Smoothness, Swings, smoothest_without_limits
+from bobdesk.solve.smoothness import Smoothness, Swinging, Swings, smoothest_without_limits
 from bobdesk.solve.spectral_gradient import Descent, DescentSettings, descend
 
 _ROUNDS_OF_LENGTH = 30
 _OVERSHOOT = 1.05
 _BARELY_PLAUSIBLE = 1.02
-_STEPS_A_ROUND = 400
+_SWING_TOLERANCE = 1e-9
+_LARGEST_SWING = 0.5
+_CLEARLY = 0.95
 LENGTH_TOLERANCE = 1e-8
 _MET = 1e-6
 
@@ -31,8 +34,8 @@ class PgdSettings:
     ----------
     meet_length
         Meet the length (stage two), or leave the smoothest profile.
-    spread
-        Weight of the fourth power in stage two, m²: larger spreads the change more evenly.
+    evenness
+        Weight in stage two of swings of one size against little change of elevation, m².
     plausible
         Largest root mean square of the change of gradient in stage two. A length that asks for
         more is met only as far as that.
@@ -57,7 +60,7 @@ class PgdSettings:
     """
 
     meet_length: bool = True
-    spread: float = 1e6
+    evenness: float = 1e3
     plausible: float = 0.06
     typical_swing: float = 0.03
     transition: float = 8.0
@@ -167,25 +170,23 @@ def _between(problem: Problem, shorter: FloatArray, longer: FloatArray, target: 
 def _lengthened(
     problem: Problem, first: Descent, settings: PgdSettings, tally: Tally, target: float
 ) -> Generator[Iterate, None, Result]:
-    """Change the smoothest profile as little as meets the length; both ways round, the better one."""
+    """Let the gradient swing about the smoothest profile until the length is met; both ways round, the better one."""
     smoothest = problem.gradients(first.v)
     swings = Swings(problem, smoothest, settings.longest_swing)
-    # To second order a swing of root mean square r lengthens the line by r²/2.
-    needed = max(target - problem.length_of(smoothest)[0], 0.0)
-    first_swing = math.sqrt(2 * needed / float(problem.piece_lengths.sum()))
-    best: tuple[float, Descent, float] | None = None
-    for pattern in swings.patterns():
-        objective = ChangeToLength(problem, swings, settings.spread, target)
-        last = yield from _meet(problem, swings, objective, first_swing * pattern, settings, tally, target)
-        excess = objective.excess(last.v)
-        rank = objective.change(last.v) + 1e3 * max(0.0, abs(excess) - _MET * target)
-        if best is None or rank < best[0]:
-            best = (rank, last, excess)
+    best: tuple[float, Descent] | None = None
+    for turn in (swings.pattern(), -swings.pattern()):
+        objective = Swinging(problem, swings, turn, settings.evenness)
+        last = yield from _swung(problem, swings, objective, turn, settings, tally, target)
+        missed = max(0.0, abs(_excess(problem, swings, last.v, target)) - _MET * target)
+        rank = objective.change(last.v) + 1e6 * missed
+        # The second way must be clearly better, so that rounding does not choose between equals.
+        if best is None or rank < _CLEARLY * best[0]:
+            best = (rank, last)
     assert best is not None
-    _, last, excess = best
+    last = best[1]
     v = swings.gradients(last.v) * problem.roots
     swing = swing_of(problem, v, smoothest)
-    met = abs(excess) <= _MET * target
+    met = abs(_excess(problem, swings, last.v, target)) <= _MET * target
     if swing <= _BARELY_PLAUSIBLE * settings.plausible:
         return Result(v, smoothest, last.objective, last.optimality, met, at_plausible_edge=False)
     # The feasible set is convex: a point between the two profiles keeps all that both keep.
@@ -193,33 +194,56 @@ def _lengthened(
     return Result(v, smoothest, last.objective, last.optimality, met=False, at_plausible_edge=True)
 
 
-def _meet(
+def _excess(problem: Problem, swings: Swings, at: FloatArray, target: float) -> float:
+    return problem.length_of(swings.gradients(at))[0] - target
+
+
+def _swung(
     problem: Problem,
     swings: Swings,
-    objective: ChangeToLength,
-    start: FloatArray,
+    objective: Swinging,
+    turn: FloatArray,
     settings: PgdSettings,
     tally: Tally,
     target: float,
 ) -> Generator[Iterate, None, Descent]:
-    """Augmented Lagrangian: descend, move the multiplier by the excess, until the length is met."""
+    """Find the size of the swings that meets the length: bracket it, then regula falsi (Illinois)."""
     project = Projection(swings.feasible_set)
-    tolerance, before = 1e-2, math.inf
+    close = LENGTH_TOLERANCE * target
+    descent = DescentSettings(_SWING_TOLERANCE, settings.max_iterations)
     last: Descent | None = None
-    for _ in range(_ROUNDS_OF_LENGTH):
-        descent = DescentSettings(tolerance, min(settings.max_iterations, _STEPS_A_ROUND))
-        steps = descend(objective, start, project, descent)
-        last = yield from report(problem, "length", steps, swings.gradients, tally)
-        start = last.v
-        excess = objective.excess(last.v)
-        objective.multiplier += objective.penalty * excess
-        if abs(excess) <= LENGTH_TOLERANCE * target and tolerance <= 1e-4:
+
+    def of_size(size: float, start: FloatArray) -> Generator[Iterate, None, Descent]:
+        objective.size = size
+        return (
+            yield from report(problem, "length", descend(objective, start, project, descent), swings.gradients, tally)
+        )
+
+    lower, lower_excess = 0.0, _excess(problem, swings, np.zeros_like(turn), target)
+    # To second order a swing of root mean square r lengthens the line by r²/2.
+    upper = math.sqrt(2 * max(-lower_excess, 0.0) / float(problem.piece_lengths.sum()))
+    start = upper * turn
+    while True:
+        last = yield from of_size(upper, start)
+        upper_excess = _excess(problem, swings, last.v, target)
+        if upper_excess >= -close or upper > _LARGEST_SWING:
             break
-        if abs(excess) > 0.25 * before:
-            objective.penalty = min(5 * objective.penalty, 1e6)
-        before = abs(excess)
-        tolerance = max(0.1 * tolerance, 1e-5)
-    assert last is not None
+        lower, lower_excess, start, upper = upper, upper_excess, 1.3 * last.v, 1.3 * upper
+    side = 0
+    for _ in range(_ROUNDS_OF_LENGTH):
+        if abs(upper_excess) <= close or upper_excess < 0:
+            break
+        middle = upper - upper_excess * (upper - lower) / (upper_excess - lower_excess)
+        last = yield from of_size(middle, last.v * (middle / objective.size))
+        excess = _excess(problem, swings, last.v, target)
+        if abs(excess) <= close:
+            break
+        if excess > 0:
+            lower_excess, side = (0.5 * lower_excess if side > 0 else lower_excess), 1
+            upper, upper_excess = middle, excess
+        else:
+            upper_excess, side = (0.5 * upper_excess if side < 0 else upper_excess), -1
+            lower, lower_excess = middle, excess
     return last
 
 
