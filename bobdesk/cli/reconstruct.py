@@ -27,12 +27,12 @@ from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
-from bobdesk.solve.feasibility import feasibility
+from bobdesk.solve.feasibility import Feasibility, feasibility
 from bobdesk.solve.iterates import Method
 from bobdesk.solve.objective import Weights
 from bobdesk.solve.run import SolverSettings, solve
 from bobdesk.solve.stages import PgdSettings
-from bobdesk.solve.targets import in_scale
+from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
 
@@ -59,6 +59,9 @@ _WITHOUT_KNOWN = ("published", "lbfgsb", "de")
 @click.option("--weight-height", type=float, default=1.0, show_default=True, help="b of the published objective.")
 @click.option("--weight-curvature", type=float, default=1.0, show_default=True, help="c of the published objective.")
 @click.option("--weight-gradient", type=float, default=1.0, show_default=True, help="d of the published objective.")
+@click.option(
+    "--rate", type=float, help="Learning rate of the published method; 1e-5, and less where the scale is unknown."
+)
 @click.option(
     "--transition", type=float, default=8.0, show_default=True, help="Length of vertical transitions, m (pgd)."
 )
@@ -91,6 +94,7 @@ def command(
     weight_height: float,
     weight_curvature: float,
     weight_gradient: float,
+    rate: float | None,
     transition: float,
     meet_length: bool,
     flavour: str,
@@ -116,10 +120,13 @@ def command(
         0 <= weight < float("inf") for weight in (weight_length, weight_height, weight_curvature, weight_gradient)
     ):
         raise click.UsageError("the weights must be numbers of 0 or more")
+    if rate is not None and not 0 < rate < float("inf"):
+        raise click.UsageError(f"--rate must be more than 0, not {rate:g}")
     settings = SolverSettings(
         method=cast(Method, method),
         pgd=PgdSettings(transition=transition, meet_length=meet_length),
         weights=weights,
+        rate=rate,
     )
     given = plan_and_segments(
         plan,
@@ -157,21 +164,37 @@ def command(
         from bobdesk.ui.plots.picture import draw_line
 
         files[picture] = draw_line(
-            line, shown, in_scale(given.targets, solution.scale), title=plan.name, kind=picture.suffix.lower()
+            line, shown, in_scale(given.targets, solution.scale), title=_title(plan, found), kind=picture.suffix.lower()
         )
     if report is not None:
         off = deviations(found, targets)
         files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
-    _say(possible.feasible, possible.sentence, solution.message, found, output)
+    notes = _notes(possible, method, targets, weights)
+    for note in notes:
+        click.echo(f"note: {note}", err=True)
+    _say(solution.message, found, output)
+
+
+def _title(plan: Path, found: Figures) -> str:
+    return (
+        f"{plan.stem}: length {found.length:.2f} m, drop {found.drop:.2f} m, mean gradient"
+        f" {100 * found.mean_gradient_drop_per_length:.2f} % (drop / length)"
+    )
+
+
+def _notes(possible: Feasibility, method: str, targets: Targets, weights: Weights) -> list[str]:
+    """Say what a user may think was heeded and was not."""
+    notes = [possible.sentence] if not possible.feasible else [possible.doubt] if possible.doubt else []
     if method in _WITHOUT_KNOWN and targets.known:
-        click.echo(f"note: the method {method} has no known elevations; they were left out", err=True)
+        notes.append(f"the method {method} has no known elevations; they were left out")
+    if method == "pgd" and weights != Weights():
+        notes.append("the weights are those of the published objective; the method pgd has none")
+    return notes
 
 
-def _say(feasible: bool, sentence: str, message: str, found: Figures, output: Path) -> None:
-    if not feasible:
-        click.echo(f"note: {sentence}", err=True)
+def _say(message: str, found: Figures, output: Path) -> None:
     click.echo(
         f"length {found.length:.3f} m, drop {found.drop:.3f} m, mean gradient"
         f" {100 * found.mean_gradient_drop_per_length:.2f} % (drop / length), gradients from"

@@ -12,6 +12,7 @@ from bobdesk.solve.targets import KnownElevation, Targets
 
 SAME_STATION = 1e-6
 _BEYOND_THE_END = 0.005
+_NEAR_END = 0.01
 Anchors = tuple[KnownElevation, ...]
 
 
@@ -25,7 +26,7 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     targets
         The targets; their known elevations count in the plan's own scale.
     length
-        Plan length, m. A station up to 0.5 % beyond it counts as the end.
+        Plan length, m. A station up to 0.5 % beyond it, or 1 cm before it, counts as the end.
     lowest
         Stations to be held at 0 besides.
 
@@ -43,7 +44,7 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     for item in known:
         if item.station <= SAME_STATION:
             _refuse_other(item, start, "the start is at the drop")
-        elif item.station >= length - SAME_STATION:
+        elif item.station >= length - _NEAR_END:
             end = replace(item, station=length)
         elif inner and item.station - inner[-1].station <= SAME_STATION:
             _refuse_other(item, inner[-1], "two elevations for one station")

@@ -33,6 +33,9 @@ class Feasibility:
         The factor on the plan at which a typical profile has the wanted length, or None.
     plan_length
         Length in plan, m.
+    doubt
+        The part of the sentence about a mean gradient that does not follow from the other figures,
+        or "".
     """
 
     feasible: bool
@@ -40,6 +43,7 @@ class Feasibility:
     reachable_length: tuple[float, float] | None
     scale: float | None
     plan_length: float
+    doubt: str = ""
 
 
 def feasibility(
@@ -74,8 +78,8 @@ def feasibility(
         sentence = _too_short(targets, plan, shortest, agreeing)
     else:
         sentence = _too_long(targets, settings, longest, agreeing)
-    sentence += _about_mean_gradient(targets, scale * plan)
-    return Feasibility(feasible, sentence, (shortest, longest), agreeing, plan)
+    doubt = _about_mean_gradient(targets, scale * plan)
+    return Feasibility(feasible, sentence + doubt, (shortest, longest), agreeing, plan, doubt.strip())
 
 
 def _scale_that_agrees(

@@ -15,6 +15,8 @@ from bobdesk.solve.profile import Profile, make_profile
 from bobdesk.solve.targets import Targets
 
 _WILDEST_SCALE = 2.0
+_RATE = 1e-5
+_RATE_OF_SCALE = 0.2
 
 
 @dataclass(frozen=True)
@@ -26,7 +28,8 @@ class PublishedSettings:
     weights
         a, b, c, d.
     rate
-        Learning rate η.
+        Learning rate η; None is the paper's 1e-5, and with an unknown scale the smaller of that and
+        0.2 / plan length², since 1e-5 overshoots there (the paper determines it for each track).
     threshold
         δ: the end is where J changes by less.
     first_derivative
@@ -36,7 +39,7 @@ class PublishedSettings:
     """
 
     weights: Weights = field(default_factory=Weights)
-    rate: float = 1e-5
+    rate: float | None = None
     threshold: float = 1e-3
     first_derivative: float = -100.0
     max_iterations: int = 200_000
@@ -66,15 +69,16 @@ def published(
     profile = make_profile(centreline, segments)
     objective = PublishedObjective(profile, targets, settings.weights)
     lengths = profile.piece_lengths
+    rate = _rate(settings, profile, targets)
 
     scale, scale_before = 1.0, 1.0
     heights = np.full(len(lengths), targets.drop / len(lengths))
     heights = _within_limits(heights, lengths, targets)
     value = objective.value(heights / lengths)
     yield _iterate(0, heights, profile, scale, value, objective, targets)
-    before, heights = heights, heights - settings.rate * settings.first_derivative
+    before, heights = heights, heights - rate * settings.first_derivative
     if targets.unknown_scale:
-        scale = scale_before - settings.rate * settings.first_derivative
+        scale = scale_before - rate * settings.first_derivative
 
     status, message = 1, f"Stopped after {settings.max_iterations:,} iterations."
     number = 0
@@ -90,15 +94,15 @@ def published(
         if abs(change) < settings.threshold:
             status, message = 0, f"J changed by less than {settings.threshold:g}."
             break
-        following = heights - settings.rate * _quotient(change, heights - before)
+        following = heights - rate * _quotient(change, heights - before)
         before, heights = heights, following
         if targets.unknown_scale:
-            next_scale = scale - settings.rate * float(_quotient(change, np.array(scale - scale_before)))
+            next_scale = scale - rate * float(_quotient(change, np.array(scale - scale_before)))
             if not 1 / _WILDEST_SCALE <= next_scale <= _WILDEST_SCALE:
                 status = 2
                 message = (
                     f"Stopped: the next scale factor would be {next_scale:.3g}. With this learning rate the published"
-                    " update of the scale overshoots; the recommended method finds the scale."
+                    " update of the scale overshoots; a smaller rate or the recommended method finds it."
                 )
                 heights = before
                 break
@@ -118,6 +122,12 @@ def published(
         objective=value,
         optimality=float("nan"),
     )
+
+
+def _rate(settings: PublishedSettings, profile: Profile, targets: Targets) -> float:
+    if settings.rate is not None:
+        return settings.rate
+    return min(_RATE, _RATE_OF_SCALE / profile.length**2) if targets.unknown_scale else _RATE
 
 
 def _within_limits(heights: FloatArray, lengths: FloatArray, targets: Targets) -> FloatArray:

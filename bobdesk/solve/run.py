@@ -27,11 +27,14 @@ class SolverSettings:
         Settings of the recommended method.
     weights
         a, b, c, d of the published objective, for all other methods.
+    rate
+        η of the published method, or None for its usual value.
     """
 
     method: Method = "pgd"
     pgd: PgdSettings = field(default_factory=PgdSettings)
     weights: Weights = field(default_factory=Weights)
+    rate: float | None = None
 
 
 def solve(centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings) -> Run:
@@ -48,7 +51,7 @@ def solve(centreline: Centreline, segments: Segments, targets: Targets, settings
     if settings.method == "pgd":
         return pgd(centreline, segments, targets, settings.pgd)
     if settings.method == "published":
-        return published(centreline, segments, targets, PublishedSettings(weights=settings.weights))
+        return published(centreline, segments, targets, PublishedSettings(weights=settings.weights, rate=settings.rate))
     return second_opinion(
         centreline, segments, targets, settings.method, SecondOpinionSettings(weights=settings.weights)
     )

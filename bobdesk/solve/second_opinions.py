@@ -138,7 +138,7 @@ def _solution(
         scale=1.0,
         start_elevation=targets.drop,
         status=0 if result.success else 1,
-        message=str(result.message).strip().rstrip(".") + ".",
+        message=str(result.message).strip().rstrip(".").capitalize() + ".",
         nit=int(result.nit),
         nfev=evaluations,
         njev=derivatives,

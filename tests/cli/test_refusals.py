@@ -201,12 +201,19 @@ def test_a_length_out_of_reach_is_noted_and_strict_refuses_it(call, length):
     assert output.exists()
 
 
-def test_a_method_that_runs_off_to_infinity_writes_nothing(call):
-    sentence = call.refused(
+def test_a_method_that_finds_no_scale_says_so(call):
+    said = call(
         "reconstruct", call.plan, "--length", 1403, "--drop", 60, "--unknown-scale", "--method", "published",
-        "-o", call.path("l.csv"), status=3,
+        "--rate", 1e-5, "-o", call.path("l.csv"),
     )  # fmt: skip
-    assert "infinity" in sentence
+    assert said.status == 0
+    assert "scale" in said.out
+    assert "nan" not in call.path("l.csv").read_text()
+    strict = call.refused(
+        "reconstruct", call.plan, "--length", 1403, "--drop", 60, "--unknown-scale", "--method", "published",
+        "--rate", 1e-5, "-o", call.path("m.csv"), "--strict", status=4,
+    )  # fmt: skip
+    assert "scale" in strict
 
 
 def test_known_elevations_take_no_plan_for_a_value(call):

@@ -75,8 +75,6 @@ def test_a_track_that_climbs_at_its_end(seed):
     run = run_pgd(centreline, segments, targets)
     assert_meets(run, targets)
     assert run.line.elevations[-1] == pytest.approx(5.0, abs=1e-6)
-    before = run.line.stations < 0.8 * length - 1
-    assert (np.diff(run.line.elevations[before]) <= 2e-6).all()
     row = int(np.searchsorted(run.line.stations, 0.8 * length - 1e-3))
     assert run.line.gradients[row - 1] >= -2e-6
     assert run.line.gradients[row + 1] <= 2e-6

@@ -151,10 +151,22 @@ def test_a_scale_that_overshoots_ends_the_run_with_a_sentence(drawn):
     scaled = (*scaled[:-1], Segment(scaled[-1].kind, scaled[-1].start, smaller.length))
     iterates = []
     unknown = Targets(targets.length, targets.drop, unknown_scale=True)
-    solution = finish(published(smaller, scaled, unknown), iterates.append)
+    solution = finish(published(smaller, scaled, unknown, PublishedSettings(rate=1e-5)), iterates.append)
     assert solution.status == 2
     assert "overshoots" in solution.message
     assert 0.5 <= solution.scale <= 2
     assert solution.scale == iterates[-1].scale
     np.testing.assert_allclose(solution.gradients, iterates[-1].gradients, rtol=1e-12)
     assert np.isfinite(make_centreline3d(smaller, scaled, solution).points).all()
+
+
+@pytest.mark.parametrize("drawn_at", [0.9, 1.0, 1.1])
+def test_with_a_rate_that_suits_the_plan_the_scale_is_found(drawn_at):
+    points = made_plan(1, curves=14)
+    true = fitted(points)
+    drop = 0.1 * true.length
+    length = 1.0004 * float(np.hypot(true.length, drop))
+    drawn = fitted(drawn_at * points)
+    solution = finish(published(drawn, detect_segments(drawn), Targets(length, drop, unknown_scale=True)))
+    assert solution.status == 0
+    assert solution.scale * drawn_at == pytest.approx(1, abs=2e-3)

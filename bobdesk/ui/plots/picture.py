@@ -55,6 +55,7 @@ def draw_line(line: Centreline3D, band: Envelope | None, targets: Targets, *, ti
     gradient = _gradient(view, line, targets)
     elevation = _elevation(view, line, band, targets)
     elevation.setXLink(gradient)
+    gradient.setXRange(0.0, float(line.stations[-1]), padding=0.02)
     view.setAttribute(Qt.WidgetAttribute.WA_DontShowOnScreen)
     view.show()
     application.processEvents()
@@ -126,6 +127,11 @@ def _elevation(view: Any, line: Centreline3D, band: Envelope | None, targets: Ta
         ]
         plot.addItem(pg.FillBetweenItem(*edges, brush=pg.mkBrush(*palette.BAND_SHADE)))
     plot.plot(line.stations[thin], line.elevations[thin], antialias=True, pen=pg.mkPen(palette.PROFILE, width=3))
+    legend = plot.addLegend(offset=(-10, 10), labelTextColor=palette.INK)
+    legend.addItem(plot.listDataItems()[-1], "profile")
+    if band is not None:
+        broad = pg.mkPen((*palette.BAND_SHADE[:3], 90), width=9)
+        legend.addItem(pg.PlotDataItem(pen=broad), "all that limits and known elevations allow")
     if targets.known:
         plot.plot(
             [known.station for known in targets.known],
@@ -136,6 +142,7 @@ def _elevation(view: Any, line: Centreline3D, band: Envelope | None, targets: Ta
             symbolBrush=palette.PAPER,
             symbolPen=pg.mkPen(palette.KNOWN, width=2),
         )
+        legend.addItem(plot.listDataItems()[-1], "known elevation")
     return plot
 
 
