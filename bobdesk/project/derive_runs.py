@@ -61,7 +61,7 @@ def run_solution(run: Run) -> Solution:
         nit=run.nit,
         nfev=run.nfev,
         njev=run.njev,
-        objective=run.objective,
+        objective=float("nan") if run.objective is None else run.objective,
         optimality=float("nan") if run.optimality is None else run.optimality,
     )
 

@@ -23,6 +23,7 @@ _SHORTEST_SEGMENT = 1e-3
 
 def take_trace(project: Project, trace: Trace) -> Project:
     """Take the line that was traced in the picture, and smooth it as suits a trace."""
+    vertices.checked_vertices(trace.points)
     return replace(project, trace=trace, extent=Extent(), segments=None, fit=_smoothed(project, clicks=False))
 
 

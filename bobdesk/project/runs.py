@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
 from bobdesk.alignment.centreline import FitSettings
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import BoolArray, FloatArray, IntArray, frozen
+from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
 from bobdesk.solve.iterates import Iterate, Solution
 from bobdesk.solve.run import SolverSettings
@@ -86,7 +87,8 @@ class Run:
     inputs, layout
         What it was given, and the pieces it solved for.
     gradients, edge_gradients, scale, start_elevation, status, message, nit, nfev, njev, objective, optimality
-        As in `bobdesk.solve.iterates.Solution`; `optimality` is None where a method has none.
+        As in `bobdesk.solve.iterates.Solution`; `objective` and `optimality` are None
+        where they are no numbers.
     figures
         Of the line.
     seconds
@@ -111,7 +113,7 @@ class Run:
     nit: int
     nfev: int
     njev: int
-    objective: float
+    objective: float | None
     optimality: float | None
     figures: Figures
     seconds: float
@@ -135,8 +137,18 @@ def finished_run(
     target_set: str,
     seconds: float,
 ) -> Run:
-    """Return the run that a solver's end and its iterates make."""
+    """Return the run that a solver's end and its iterates make.
+
+    Raises
+    ------
+    InputError
+        If it ended in figures that are no numbers.
+    """
     profile = solution.profile
+    if not all(
+        np.isfinite(part).all() for part in (solution.gradients, solution.scale, list(asdict(figures).values()))
+    ):
+        raise InputError("the run ended in figures that are no numbers; it cannot be kept")
     stages = tuple(dict.fromkeys(iterate.stage for iterate in iterates))
     return Run(
         name=name,
@@ -153,13 +165,17 @@ def finished_run(
         nit=int(solution.nit),
         nfev=int(solution.nfev),
         njev=int(solution.njev),
-        objective=float(solution.objective),
-        optimality=float(solution.optimality) if np.isfinite(solution.optimality) else None,
+        objective=_number(solution.objective),
+        optimality=_number(solution.optimality),
         figures=figures,
         seconds=seconds,
         stages=stages,
         history=history_of(iterates, stages),
     )
+
+
+def _number(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
 
 
 def history_of(iterates: Sequence[Iterate], stages: tuple[str, ...]) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from bobdesk.alignment import segments as alignment
@@ -60,6 +61,9 @@ def use_automatic_segments(project: Project) -> Project:
 
 def set_segmentation(project: Project, settings: SegmentationSettings) -> Project:
     """Change threshold, wanted number, shortest segment or rule, and detect with them; locked ones stay."""
+    numbers = (settings.threshold or 0.0, settings.change_cost, settings.shortest)
+    if not all(math.isfinite(number) for number in numbers):
+        raise InputError("a setting of the segments is no number")
     return detect_again(replace(project, segmentation=settings))
 
 

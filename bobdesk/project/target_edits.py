@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import asdict, replace
 
 from bobdesk.errors import InputError
 from bobdesk.project.project import Limits, Project, TargetSet
@@ -96,6 +96,9 @@ def set_known_elevations(project: Project, known: Iterable[KnownElevation]) -> P
 
 def set_solver(project: Project, settings: SolverSettings) -> Project:
     """Choose method, and what can be set of it."""
+    numbers = (*asdict(settings.pgd).values(), *asdict(settings.weights).values())
+    if not all(math.isfinite(number) for number in numbers):
+        raise InputError("a setting of the solver is no number")
     return replace(project, solver=settings)
 
 
