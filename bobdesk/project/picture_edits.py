@@ -30,7 +30,7 @@ def open_picture(project: Project, picture: Picture) -> Project:
 
 
 def open_coordinates(project: Project, source: SourceLine) -> Project:
-    """Begin with a line from a file, whose vertices all differ; line, picture and hand-made segments of another plan are put away."""
+    """Begin with a line from a file; line, picture and hand-made segments of another plan are put away."""
     return replace(_without_plan(project), source=source)
 
 
