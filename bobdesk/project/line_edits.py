@@ -178,7 +178,8 @@ def _plan_length(project: Project) -> float | None:
 def _with_extent(project: Project, extent: Extent) -> Project:
     """Cut the line elsewhere; segments and known stations stay on their places on the ground."""
     whole = digitised_length(project)
-    assert whole is not None
+    if whole is None:
+        raise InputError("there is no line yet; draw or trace it first")
     old = project.extent
     old_end, new_end = (whole if one.end is None else min(one.end, whole) for one in (old, extent))
     if new_end <= extent.start:
