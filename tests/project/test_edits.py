@@ -16,6 +16,10 @@ from tests.project.made_projects import bends, coordinates_project, full_project
 from tests.project.same_project import print_of
 
 
+def one_sentence(error: InputError) -> None:
+    assert len(str(error).splitlines()) == 1
+
+
 def test_every_edit_is_tried() -> None:
     assert set(EDITS) | ELSEWHERE == set(edits.__all__)
 
@@ -32,7 +36,7 @@ def test_an_edit_leaves_its_input_unchanged(name, start) -> None:  # type: ignor
         try:
             result = EDITS[name](project, data.draw)
         except InputError as error:
-            assert len(str(error).splitlines()) == 1
+            one_sentence(error)
         else:
             assert isinstance(result, Project)
         assert print_of(project) == before
