@@ -17,7 +17,7 @@ import platformdirs
 from bobdesk.errors import InputError
 from bobdesk.files.instance_lock import FileLock, take_lock
 from bobdesk.files.project_encoding import Encoded, encode_project
-from bobdesk.files.recovery_store import LOCK, forget_old, recovery_folder, write_state
+from bobdesk.files.recovery_store import LOCK, STATE, forget_old, recovery_folder, write_state
 from bobdesk.project.project import Project
 
 _TRY_AGAIN_S = 1.0
@@ -30,7 +30,7 @@ def user_data_folder() -> Path:
 
 @dataclass(frozen=True, eq=False)
 class _Wanted:
-    project: Project
+    project: Project | None  # None: there is nothing to recover
     path: Path | None
     last_edit: str
     time: float
@@ -85,6 +85,12 @@ class Recovery:
             self._wanted = _Wanted(project, path, last_edit, time.time())
             self._changed.notify_all()
 
+    def saved(self) -> None:
+        """Have the copy deleted: the project is in its file, and there is nothing to recover until the next edit."""
+        with self._changed:
+            self._wanted = _Wanted(None, None, "", time.time())
+            self._changed.notify_all()
+
     def wait(self, timeout: float) -> bool:
         """Wait until all is written; return whether it is."""
         with self._changed:
@@ -132,6 +138,10 @@ class Recovery:
 
     def _written(self, wanted: _Wanted) -> str | None:
         """Write a state; return None, or the sentence that says why it could not be done."""
+        if wanted.project is None:
+            with contextlib.suppress(OSError):
+                (self.folder / STATE).unlink(missing_ok=True)
+            return None
         try:
             encoded = encode_project(wanted.project)
             self._take_lock()
@@ -139,7 +149,7 @@ class Recovery:
                 self.folder,
                 encoded,
                 self._digests(encoded),
-                name=_name(wanted),
+                name=_name(wanted.project, wanted.path),
                 path=wanted.path,
                 time=wanted.time,
                 last_edit=wanted.last_edit,
@@ -174,7 +184,7 @@ class Recovery:
         return digests
 
 
-def _name(wanted: _Wanted) -> str:
-    if wanted.path is not None:
-        return wanted.path.stem
-    return wanted.project.name or "untitled"
+def _name(project: Project, path: Path | None) -> str:
+    if path is not None:
+        return path.stem
+    return project.name or "untitled"

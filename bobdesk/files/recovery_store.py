@@ -1,8 +1,7 @@
 """Recovery copies on the disk: one folder for each session, with the newest state of its project.
 
     recovery/<session>/session.lock   held while the session lives
-                       state.json     what is shown to the user, and the names of the blobs
-                       project.json   inside state.json, as text
+                       state.json     the document, what is shown of it to the user, and the names of its blobs
                        <digest>       the picture and tables, each written once
 
 `state.json` is replaced as a whole after the blobs that it names are there, so that a crash at any
@@ -28,7 +27,7 @@ from bobdesk.project.project import Project
 
 KEPT = 10
 LOCK = "session.lock"
-_STATE = "state.json"
+STATE = "state.json"
 _LARGEST_STATE = 300_000_000
 
 
@@ -124,7 +123,7 @@ def forget_old(data_folder: Path, *, kept: int = KEPT) -> None:
     for item in newest[kept:]:
         forget(item)
     for folder in _sessions(data_folder):
-        if not (folder / _STATE).exists() and not is_locked(folder / LOCK):
+        if not (folder / STATE).exists() and not is_locked(folder / LOCK):
             shutil.rmtree(folder, ignore_errors=True)
 
 
@@ -163,14 +162,14 @@ def write_state(
         document=encoded.document.decode(),
         blobs=digests,
     )
-    write_atomic(folder / _STATE, msgspec.json.encode(state))
+    write_atomic(folder / STATE, msgspec.json.encode(state))
     _delete_unused(folder, set(digests.values()))
 
 
 def _delete_unused(folder: Path, used: set[str]) -> None:
     with contextlib.suppress(OSError):
         for place in folder.iterdir():
-            if place.name not in used and place.name not in (_STATE, LOCK):
+            if place.name not in used and place.name not in (STATE, LOCK):
                 place.unlink(missing_ok=True)
 
 
@@ -183,7 +182,7 @@ def _sessions(data_folder: Path) -> list[Path]:
 
 def _read(folder: Path) -> _State:
     try:
-        place = folder / _STATE
+        place = folder / STATE
         if place.stat().st_size > _LARGEST_STATE:
             raise InputError("it is larger than a project may be")
         state = msgspec.json.decode(place.read_bytes(), type=_State)

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from bobdesk.alignment.centreline import WAVELENGTH_OF_CLICKS, WAVELENGTH_OF_TRACES, FitSettings
-from bobdesk.alignment.segments import Segment, Segments
+from bobdesk.alignment.segments import Segment, Segments, segment_at
 from bobdesk.errors import InputError
 from bobdesk.plan import trace_vertices as vertices
 from bobdesk.plan.polyline import Polyline
@@ -210,6 +210,8 @@ def _cut(segments: Segments, *, begin: float, length: float) -> Segments:
         end = length if index == len(segments) - 1 else min(segment.end - begin, length)
         if end - start > _SHORTEST_SEGMENT:
             parts.append(replace(segment, start=start, end=end))
+    if not parts:  # the line is hardly there
+        parts = [segments[segment_at(segments, begin + length / 2)]]
     parts[0] = replace(parts[0], start=0.0)
     parts[-1] = replace(parts[-1], end=length)
     return tuple(parts)

@@ -77,6 +77,18 @@ def test_a_project_that_was_saved_and_closed_leaves_nothing(tmp_path: Path) -> N
     assert list(recovery_folder(tmp_path).iterdir()) == []
 
 
+def test_a_saved_project_has_nothing_to_recover_until_the_next_edit(tmp_path: Path) -> None:
+    session = Recovery(tmp_path)
+    session.keep(full_project(), path=None, last_edit="1")
+    session.saved()
+    assert session.wait(SOON)
+    assert not (session.folder / "state.json").exists()
+    session.keep(Project(name="later"), path=None, last_edit="2")
+    assert session.wait(SOON)
+    dies(session)
+    assert [item.name for item in recoverable(tmp_path)] == ["later"]
+
+
 def test_a_copy_is_there_within_half_a_second_and_the_caller_never_waits(tmp_path: Path) -> None:
     picture = Picture(bytes(20_000_000), "plan.png")
     project = edits.draw_line(edits.open_picture(Project(), picture), bends(2000))

@@ -147,3 +147,11 @@ def test_known_elevations_stay_in_running_order() -> None:
     assert [item.station for item in project.known_elevations] == [9.0, 30.0]
     with pytest.raises(InputError, match="a known elevation is"):
         edits.add_known_elevation(project, KnownElevation(float("nan"), 1))
+
+
+def test_a_line_cut_to_nearly_nothing_keeps_a_segment() -> None:
+    project = edits.cut_final_climb(edits.flip_segment(coordinates_project(), 0), 0.002)
+    assert project.segments is not None
+    assert len(project.segments) == 1
+    assert "Centreline" in {step.name for step in steps(project) if step.state == "next"}
+    assert edits.keep_final_climb(project).segments is not None
