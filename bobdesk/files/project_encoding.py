@@ -19,7 +19,7 @@ from bobdesk.files import project_schema as schema
 from bobdesk.files.npy import npy_bytes
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.trace import Trace
-from bobdesk.project.project import Picture, Project
+from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine
 from bobdesk.project.runs import Run, RunInputs
 from bobdesk.solve.run import SolverSettings
 
@@ -65,7 +65,7 @@ def _document(project: Project) -> schema.Document:
         check_distances=_entries(schema.DistanceEntry, project.check_distances),
         calibration=_entry(schema.CalibrationEntry, project.calibration),
         trace=None if project.trace is None else _trace(project.trace),
-        source=None if source is None else _entry(schema.SourceEntry, source, points=_rows(source.polyline.vertices)),
+        source=None if source is None else _source(source),
         extent=_entry(schema.ExtentEntry, project.extent),
         fit=_entry(schema.FitEntry, project.fit),
         segmentation=_entry(schema.SegmentationEntry, project.segmentation),
@@ -75,7 +75,7 @@ def _document(project: Project) -> schema.Document:
         known_elevations=_entries(schema.KnownEntry, project.known_elevations),
         solver=_solver(project.solver),
         runs=[_run(run) for run in project.runs],
-        actual=None if actual is None else _entry(schema.ActualEntry, actual, points=_rows(actual.points)),
+        actual=None if actual is None else _actual(actual),
     )
 
 
@@ -93,6 +93,16 @@ def _trace(trace: Trace) -> schema.TraceEntry:
         warnings=list(trace.warnings),
         suspect=trace.suspect.tolist(),
     )
+
+
+@lru_cache(maxsize=4)
+def _source(source: SourceLine) -> schema.SourceEntry:
+    return _entry(schema.SourceEntry, source, points=_rows(source.polyline.vertices))
+
+
+@lru_cache(maxsize=4)
+def _actual(actual: ActualTrack) -> schema.ActualEntry:
+    return _entry(schema.ActualEntry, actual, points=_rows(actual.points))
 
 
 def _solver(settings: SolverSettings) -> schema.SolverEntry:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import time
 from pathlib import Path
 
 from bobdesk.errors import InputError
@@ -12,6 +14,7 @@ from bobdesk.files.project_encoding import encode_project
 from bobdesk.project.project import Project
 
 SUFFIX = ".bobdesk"
+_LEFT_AFTER_S = 60.0  # no save takes as long, so that of another window is left alone
 
 
 def save_project(project: Project, path: Path) -> None:
@@ -29,6 +32,16 @@ def save_project(project: Project, path: Path) -> None:
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     write_atomic(path, content)
+    _sweep(path)
+
+
+def _sweep(path: Path) -> None:
+    """Delete what a crash in the middle of an earlier save left beside the file."""
+    with contextlib.suppress(OSError):
+        for place in path.parent.iterdir():
+            left = place.name.startswith(f".{path.name}.") and place.name.endswith(".part")
+            if left and time.time() - place.stat().st_mtime > _LEFT_AFTER_S:
+                place.unlink(missing_ok=True)
 
 
 def load_project(path: Path) -> Project:

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+import os
 import zipfile
 from pathlib import Path
 
@@ -176,3 +177,15 @@ def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypat
     with pytest.raises(InputError, match="cannot be written: permission denied"):
         save_project(Project(), tmp_path / "a.bobdesk")
     assert list(tmp_path.iterdir()) == []
+
+
+def test_what_a_crash_left_of_a_save_is_swept_away_later(tmp_path: Path) -> None:
+    old, new, others = (tmp_path / f".{name}.x.part" for name in ("a.bobdesk", "a.bobdesk.y", "b.bobdesk"))
+    for place in (old, new, others):
+        place.write_bytes(b"half")
+    for place in (old, others):
+        os.utime(place, (1e9, 1e9))
+    save_project(Project(), tmp_path / "a.bobdesk")
+    assert not old.exists()
+    assert new.exists()
+    assert others.exists()
