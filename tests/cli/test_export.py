@@ -11,7 +11,7 @@ from bobdesk.cli.main import run
 from bobdesk.files.project_file import save_project
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
-from tests.project.made_projects import coordinates_project, full_project, ready_project
+from tests.project.made_projects import coordinates_project, full_project, ready_project, solved_run
 
 
 def saved(project: Project, folder: Path) -> str:
@@ -69,3 +69,16 @@ def test_a_project_is_a_plan(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     unready = edits.delete_line(ready_project())
     assert run(["segment", saved(unready, tmp_path), "-o", str(output)]) == 3
     assert "there is no line yet" in capsys.readouterr().err
+
+
+def test_the_report_of_an_unknown_scale_counts_in_the_drawing(tmp_path: Path) -> None:
+    project = edits.find_the_scale(ready_project())
+    project = edits.keep_run(project, solved_run(project))
+    output = tmp_path / "r.json"
+    assert run(["export", saved(project, tmp_path), "-o", str(output)]) == 0
+    report = json.loads(output.read_text())
+    drawn = derive.digitised_length(project)
+    assert drawn is not None
+    # Metres per pixel, since an unknown scale counts pixels.
+    assert report["scale"] * drawn == pytest.approx(report["achieved"]["length_m"], rel=0.03)
+    assert report["targets"]["known"][0]["station"] == pytest.approx(project.known_elevations[0].station)

@@ -11,13 +11,21 @@ from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
 from bobdesk.progress import finish
 from bobdesk.project import derive, edits
-from bobdesk.project.derive_runs import run_comparison, run_line, run_solution, why_out_of_date
+from bobdesk.project.derive_runs import (
+    run_comparison,
+    run_deviations,
+    run_envelope,
+    run_line,
+    run_solution,
+    why_out_of_date,
+)
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Picture, Project, SourceLine
 from bobdesk.project.steps import steps
 from bobdesk.solve.run import SolverSettings, solve
 from bobdesk.solve.stages import PgdSettings
 from bobdesk.solve.targets import KnownElevation
+from bobdesk.track.figures import figures
 from tests.project.made_projects import bends, coordinates_project, full_project, ready_project, solved_run
 
 
@@ -143,16 +151,29 @@ def test_an_unknown_scale_is_brought_near_true_size() -> None:
     assert inputs.targets.known[0].station == pytest.approx(inputs.factor * project.known_elevations[0].station)
 
 
-def test_a_run_gives_back_the_solvers_line_bit_by_bit() -> None:
+@pytest.mark.parametrize("method", ["pgd", "published", "slsqp", "unknown scale"])
+def test_a_run_gives_back_the_solvers_line_bit_by_bit(method: str) -> None:
     project = ready_project()
+    if method == "unknown scale":
+        project = edits.find_the_scale(project)
+    else:
+        project = edits.set_solver(project, SolverSettings(method))  # type: ignore[arg-type]
     inputs = derive.run_inputs(project).needed()
     line = derive.centreline(project).needed()
     solution = finish(solve(line, inputs.segments, inputs.targets, inputs.settings))
-    again = run_solution(solved_run(project))
+    run = solved_run(project)
+    again = run_solution(run)
     for name in ("stations", "points", "edges", "segment_of", "half_transitions", "held", "curvature"):
         np.testing.assert_array_equal(getattr(again.profile, name), getattr(solution.profile, name))
     np.testing.assert_array_equal(again.gradients, solution.gradients)
     assert (again.status, again.nit, again.scale) == (solution.status, solution.nit, solution.scale)
+    found = figures(run_line(run))
+    assert found == run.figures
+    if method in ("pgd", "unknown scale"):
+        assert run_deviations(run).length == pytest.approx(0.0, abs=1e-3)
+        band = run_envelope(run)
+        assert (run_line(run).elevations >= band.lowest - 1e-5).all()
+        assert (run_line(run).elevations <= band.highest + 1e-5).all()
 
 
 def test_a_runs_figures_are_those_of_its_line_and_meet_the_targets() -> None:
