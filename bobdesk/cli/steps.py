@@ -16,10 +16,12 @@ import click
 from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
 from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
 from bobdesk.alignment.segments import Segments
+from bobdesk.cli.project_plan import line_of_project
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import check_writable
 from bobdesk.files.importers.csv_points import ImportedLine, read_csv_points
 from bobdesk.files.importers.segments_csv import read_segments
+from bobdesk.files.project_file import is_project
 from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import Progress
 from bobdesk.solve.targets import DEFINITIONS, KnownElevation, Targets, check_targets, in_scale
@@ -64,7 +66,7 @@ def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | Non
 
 def read_plan(path: Path) -> ImportedLine:
     """Read a plan and say on stderr what was changed or assumed."""
-    line = read_csv_points(path)
+    line = line_of_project(path) if is_project(path) else read_csv_points(path)
     for note in line.notes:
         click.echo(f"note: {path}: {note}", err=True)
     return line

@@ -132,13 +132,7 @@ def make_profile(
     """
     length = centreline.length
     inner = [station for station in sorted(breaks) if _SAME_STATION < station < length - _SAME_STATION]
-    stations = row_stations(length, centreline.spacing, inner)
-    if inner:
-        points = at_stations(centreline, stations)
-        bends = np.interp(stations, centreline.stations, curvature(centreline))
-    else:
-        stations, points, bends = centreline.stations, centreline.points, curvature(centreline)
-
+    stations, points, bends = profile_rows(centreline, inner)
     known = np.array([0.0, *inner, length])
     boundaries = np.array([segment.start for segment in segments[1:]])
     if len(boundaries):
@@ -155,6 +149,15 @@ def make_profile(
     held = _is_among(edges[1:-1], inner)
     halves[_is_among(edges[1:-1], list(kinks))] = 0.0
     return Profile(stations, points, edges, segment_of, halves, held, bends)
+
+
+def profile_rows(centreline: Centreline, breaks: list[float]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return stations, plan points and curvature of the rows where these inner stations get a row each."""
+    if not breaks:
+        return centreline.stations, centreline.points, curvature(centreline)
+    stations = row_stations(centreline.length, centreline.spacing, breaks)
+    bends = np.interp(stations, centreline.stations, curvature(centreline))
+    return stations, at_stations(centreline, stations), bends
 
 
 def _divided(edges: FloatArray, longest: float) -> FloatArray:

@@ -1,0 +1,101 @@
+"""What follows from a finished run: its line, its deviations, and whether it is out of date."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from bobdesk.alignment.centreline import Centreline, fit_centreline
+from bobdesk.project.digest import inputs_digest
+from bobdesk.project.project import ActualTrack, Project
+from bobdesk.project.runs import Run
+from bobdesk.solve.anchors import anchors_of
+from bobdesk.solve.envelope import Envelope, envelope
+from bobdesk.solve.iterates import Solution
+from bobdesk.solve.profile import Profile, profile_rows
+from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
+from bobdesk.track.comparison import Comparison, compare
+from bobdesk.track.figures import Deviations, deviations
+
+
+def why_out_of_date(project: Project, run: Run) -> str | None:
+    """Return what has changed since a run, in words, or None if it is up to date."""
+    now = inputs_digest(project)
+    changed = [
+        words
+        for name, words in (
+            ("plan", "the line in plan or its scale"),
+            ("fit", "spacing or smoothing"),
+            ("segments", "the segments"),
+            ("targets", "targets, limits or known elevations"),
+            ("solver", "the solver's settings"),
+        )
+        if getattr(now, name) != getattr(run.digest, name)
+    ]
+    if not changed:
+        return None
+    listed = changed[0] if len(changed) == 1 else f"{', '.join(changed[:-1])} and {changed[-1]}"
+    return f"{listed} changed since this run"
+
+
+def run_centreline(run: Run) -> Centreline:
+    """Return the centreline that a run was made on."""
+    return fit_centreline(run.inputs.polyline, run.inputs.fit)
+
+
+@lru_cache(maxsize=16)
+def run_solution(run: Run) -> Solution:
+    """Return a run's end as the solver returned it."""
+    layout = run.layout
+    breaks = layout.edges[1:-1][layout.held].tolist()
+    stations, points, bends = profile_rows(run_centreline(run), breaks)
+    profile = Profile(stations, points, layout.edges, layout.segment_of, layout.half_transitions, layout.held, bends)
+    return Solution(
+        method=run.inputs.settings.method,
+        profile=profile,
+        gradients=run.gradients,
+        edge_gradients=run.edge_gradients,
+        scale=run.scale,
+        start_elevation=run.start_elevation,
+        status=run.status,
+        message=run.message,
+        nit=run.nit,
+        nfev=run.nfev,
+        njev=run.njev,
+        objective=float("nan") if run.objective is None else run.objective,
+        optimality=float("nan") if run.optimality is None else run.optimality,
+    )
+
+
+@lru_cache(maxsize=16)
+def run_line(run: Run) -> Centreline3D:
+    """Return a run's 3D line, in true size."""
+    return make_centreline3d(run_centreline(run), run.inputs.segments, run_solution(run))
+
+
+def run_deviations(run: Run) -> Deviations:
+    """Return a run's figures less its targets, %."""
+    return deviations(run.figures, run.inputs.targets)
+
+
+@lru_cache(maxsize=8)
+def run_envelope(run: Run) -> Envelope:
+    """Return the band that every profile within a run's limits and known elevations lies in.
+
+    Raises
+    ------
+    TargetError
+        If no profile meets them all.
+    """
+    anchors = anchors_of(run.inputs.targets, run_centreline(run).length)
+    rows = run_solution(run).profile.stations
+    return envelope(rows, anchors, run.inputs.targets, scale=run.scale)
+
+
+def run_comparison(project: Project, run: Run) -> Comparison | None:
+    """Return a run's line beside the actual track, where there is one."""
+    return None if project.actual is None else _comparison(run, project.actual)
+
+
+@lru_cache(maxsize=16)
+def _comparison(run: Run, actual: ActualTrack) -> Comparison:
+    return compare(run_line(run).points, actual.points)

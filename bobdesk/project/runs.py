@@ -1,0 +1,191 @@
+"""A finished run: what it was given, what it found, and how it got there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from bobdesk.alignment.centreline import FitSettings
+from bobdesk.alignment.segments import Segments
+from bobdesk.arrays import BoolArray, FloatArray, IntArray, frozen
+from bobdesk.errors import InputError
+from bobdesk.plan.polyline import Polyline
+from bobdesk.solve.iterates import Iterate, Solution
+from bobdesk.solve.run import SolverSettings
+from bobdesk.solve.targets import Targets
+from bobdesk.track.figures import Figures
+
+MOST_HISTORY_ROWS = 2000
+HISTORY_COLUMNS = ("number", "stage", "objective", "length", "drop", "optimality", "step", "scale")
+
+
+@dataclass(frozen=True)
+class InputsDigest:
+    """A digest for each kind of thing that a run depends on, so that what changed can be named."""
+
+    plan: str
+    fit: str
+    segments: str
+    targets: str
+    solver: str
+
+
+@dataclass(frozen=True, eq=False)
+class RunInputs:
+    """What a run is given: enough to draw its line again when the project has gone on.
+
+    Attributes
+    ----------
+    polyline
+        The plan, m; one of unknown scale is brought near true size first.
+    factor
+        By which it was multiplied for that; 1 where its scale is known.
+    fit, segments, targets, settings
+        The targets' known elevations count in the same scale as the polyline.
+    """
+
+    polyline: Polyline
+    factor: float
+    fit: FitSettings
+    segments: Segments
+    targets: Targets
+    settings: SolverSettings
+
+
+@dataclass(frozen=True, eq=False)
+class Layout:
+    """Pieces and transitions of a solution's profile, see `bobdesk.solve.profile.Profile`; rows follow."""
+
+    edges: FloatArray
+    segment_of: IntArray
+    half_transitions: FloatArray
+    held: BoolArray
+
+    def __post_init__(self) -> None:
+        for name in ("edges", "half_transitions"):
+            object.__setattr__(self, name, frozen(getattr(self, name)))
+        for name, kind in (("segment_of", np.int64), ("held", np.bool_)):
+            array = np.array(getattr(self, name), dtype=kind)
+            array.flags.writeable = False
+            object.__setattr__(self, name, array)
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """A finished run.
+
+    Attributes
+    ----------
+    name
+        What the user calls it.
+    digest
+        Of the project's inputs when it was started; another one now means that it is out of date.
+    target_set
+        Name of the targets it was made for.
+    inputs, layout
+        What it was given, and the pieces it solved for.
+    gradients, edge_gradients, scale, start_elevation, status, message, nit, nfev, njev, objective, optimality
+        As in `bobdesk.solve.iterates.Solution`; `objective` and `optimality` are None
+        where they are no numbers.
+    figures
+        Of the line.
+    seconds
+        How long it took.
+    stages
+        Names of the stages, which the history's second column counts.
+    history : (k, 8)
+        `HISTORY_COLUMNS` of the iterates, at most 2,000 of them.
+    """
+
+    name: str
+    digest: InputsDigest
+    target_set: str
+    inputs: RunInputs
+    layout: Layout
+    gradients: FloatArray
+    edge_gradients: FloatArray
+    scale: float
+    start_elevation: float
+    status: int
+    message: str
+    nit: int
+    nfev: int
+    njev: int
+    objective: float | None
+    optimality: float | None
+    figures: Figures
+    seconds: float
+    stages: tuple[str, ...]
+    history: FloatArray
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "gradients", frozen(self.gradients))
+        object.__setattr__(self, "edge_gradients", frozen(self.edge_gradients))
+        object.__setattr__(self, "history", frozen(self.history, columns=len(HISTORY_COLUMNS)))
+
+
+def finished_run(
+    inputs: RunInputs,
+    solution: Solution,
+    figures: Figures,
+    iterates: Sequence[Iterate],
+    *,
+    digest: InputsDigest,
+    name: str,
+    target_set: str,
+    seconds: float,
+) -> Run:
+    """Return the run that a solver's end and its iterates make.
+
+    Raises
+    ------
+    InputError
+        If it ended in figures that are no numbers.
+    """
+    profile = solution.profile
+    if not all(
+        np.isfinite(part).all() for part in (solution.gradients, solution.scale, list(asdict(figures).values()))
+    ):
+        raise InputError("the run ended in figures that are no numbers; it cannot be kept")
+    stages = tuple(dict.fromkeys(iterate.stage for iterate in iterates))
+    return Run(
+        name=name,
+        digest=digest,
+        target_set=target_set,
+        inputs=inputs,
+        layout=Layout(profile.edges, profile.segment_of, profile.half_transitions, profile.held),
+        gradients=solution.gradients,
+        edge_gradients=solution.edge_gradients,
+        scale=float(solution.scale),
+        start_elevation=float(solution.start_elevation),
+        status=int(solution.status),
+        message=solution.message,
+        nit=int(solution.nit),
+        nfev=int(solution.nfev),
+        njev=int(solution.njev),
+        objective=_number(solution.objective),
+        optimality=_number(solution.optimality),
+        figures=figures,
+        seconds=seconds,
+        stages=stages,
+        history=history_of(iterates, stages),
+    )
+
+
+def _number(value: float) -> float | None:
+    return float(value) if np.isfinite(value) else None
+
+
+def history_of(iterates: Sequence[Iterate], stages: tuple[str, ...]) -> FloatArray:
+    """Return the iterates' figures, (k, 8); of more than 2,000 iterates an even choice with both ends."""
+    chosen: Sequence[Iterate] = iterates
+    if len(iterates) > MOST_HISTORY_ROWS:
+        places = np.linspace(0, len(iterates) - 1, MOST_HISTORY_ROWS).round().astype(int)
+        chosen = [iterates[place] for place in places.tolist()]
+    rows = [
+        (at.number, stages.index(at.stage), at.objective, at.length, at.drop, at.optimality, at.step, at.scale)
+        for at in chosen
+    ]
+    return np.array(rows, dtype=np.float64).reshape(-1, len(HISTORY_COLUMNS))
