@@ -7,7 +7,7 @@ ARGS   ?= --help
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 export PYTHONWARNINGS =
 
-.PHONY: help setup demo run test lint benchmark clean
+.PHONY: help setup demo run test lint benchmark soak clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## */  make \1\t/' | expand -t 20
@@ -38,6 +38,9 @@ lint: $(READY)  ## style, types, and the direction of dependencies
 
 benchmark: $(READY)  ## seconds and memory beside a peer, as a table
 	@$(BIN)/python -m tests.benchmarks
+
+soak: $(READY)  ## ten minutes of editing, saving and being killed
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 600
 
 clean:  ## remove what the other commands made
 	rm -rf $(VENV) out build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

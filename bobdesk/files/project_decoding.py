@@ -179,7 +179,7 @@ def _segments(found: list[schema.SegmentEntry]) -> Segments:
 
 
 def _solver(found: schema.SolverEntry) -> SolverSettings:
-    return SolverSettings(found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights))
+    return SolverSettings(found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate)
 
 
 def _run(found: schema.RunEntry, tables: _Tables) -> Run:

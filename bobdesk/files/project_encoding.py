@@ -111,6 +111,7 @@ def _solver(settings: SolverSettings) -> schema.SolverEntry:
         settings,
         pgd=_entry(schema.PgdEntry, settings.pgd),
         weights=_entry(schema.WeightsEntry, settings.weights),
+        rate=settings.rate,
     )
 
 

@@ -151,7 +151,7 @@ class PgdEntry(_Strict):
     """A PgdSettings."""
 
     meet_length: bool
-    spread: float
+    evenness: float
     plausible: float
     typical_swing: float
     transition: float
@@ -177,6 +177,7 @@ class SolverEntry(_Strict):
     method: Literal["pgd", "published", "lbfgsb", "slsqp", "de"]
     pgd: PgdEntry
     weights: WeightsEntry
+    rate: float | None
 
 
 class DigestEntry(_Strict):

@@ -166,7 +166,7 @@ def test_a_disk_that_is_full_leaves_the_old_file(call, tmp_path, monkeypatch) ->
 
 
 def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with pytest.raises(InputError, match="cannot be written: no such file or directory"):
+    with pytest.raises(InputError, match="cannot be written: there is no folder"):
         save_project(Project(), tmp_path / "gone" / "a.bobdesk")
 
     # Tests may run as root, who may write anywhere.
