@@ -16,7 +16,8 @@ from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
 from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError
-from bobdesk.files.importers.csv_points import ImportedLine, read_csv_points
+from bobdesk.files.importers.csv_points import read_csv_points
+from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import Progress
