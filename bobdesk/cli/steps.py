@@ -16,7 +16,7 @@ from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
 from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError
-from bobdesk.files.importers.csv_points import read_csv_points
+from bobdesk.files.importers.formats import import_formats, read_line
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.plan.polyline import Polyline, edge_lengths
@@ -48,7 +48,9 @@ class PlanInput:
 
 def read_plan(path: Path) -> ImportedLine:
     """Read a plan and say on stderr what was changed or assumed."""
-    line = read_csv_points(path)
+    for finding in import_formats().findings:
+        click.echo(f"note: {finding.sentence}", err=True)
+    line = read_line(path)
     for note in line.notes:
         click.echo(f"note: {path}: {note}", err=True)
     return line

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 import numpy as np
 
 from bobdesk.arrays import FloatArray
 from bobdesk.files.importers.drawn_paths import line_from_degrees
 from bobdesk.files.importers.imported_line import ImportedLine
-from bobdesk.files.importers.xml_stream import decimal, listen
+from bobdesk.files.importers.xml_stream import Attributes, decimal, listen
 
 
 def read_gpx(data: bytes, *, name: str) -> ImportedLine:
@@ -41,7 +40,7 @@ class _Gpx:
         self._elevation = math.nan
         self._segments = 0
 
-    def start(self, tag: str, attributes: Mapping[str, str]) -> None:
+    def start(self, tag: str, attributes: Attributes) -> None:
         if tag in ("trkpt", "rtept"):
             self._place = (decimal(attributes.get("lon")), decimal(attributes.get("lat")))
             self._elevation = math.nan

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import georeference_at, line_from_degrees
 from bobdesk.files.importers.imported_line import ImportedLine
-from bobdesk.files.importers.xml_stream import decimal, listen
+from bobdesk.files.importers.xml_stream import Attributes, decimal, listen
 from bobdesk.plan.projection import Georeference
 
 ORIGIN = "bobdesk_origin"
@@ -47,7 +45,7 @@ class _Kml:
         self._data_name = ""
         self._track: list[list[float]] = []
 
-    def start(self, tag: str, attributes: Mapping[str, str]) -> None:
+    def start(self, tag: str, attributes: Attributes) -> None:
         if tag in ("LineString", "LinearRing", "Point", "Track"):
             self._within = tag
             self.points += tag == "Point"

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.osm_ways import Place, Way, line_of_ways
-from bobdesk.files.importers.xml_stream import decimal, listen
+from bobdesk.files.importers.xml_stream import Attributes, decimal, listen
 
 
 def read_osm_xml(data: bytes, *, name: str) -> ImportedLine:
@@ -32,7 +31,7 @@ class _Osm:
         self._node: str | None = None
         self._way: Way | None = None
 
-    def start(self, tag: str, attributes: Mapping[str, str]) -> None:
+    def start(self, tag: str, attributes: Attributes) -> None:
         if tag == "node" and attributes.get("action") != "delete":
             self._node = attributes.get("id") or ""
             self.nodes[self._node] = _place(attributes)
@@ -60,5 +59,5 @@ class _Osm:
             self._way = None
 
 
-def _place(attributes: Mapping[str, str]) -> Place:
+def _place(attributes: Attributes) -> Place:
     return decimal(attributes.get("lon")), decimal(attributes.get("lat")), math.nan

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from itertools import pairwise
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import MOST_PATHS, line_from_paths
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.svg_path import Piece, numbers, points_of, subpaths
-from bobdesk.files.importers.xml_stream import listen
+from bobdesk.files.importers.xml_stream import Attributes, listen
 from bobdesk.plan.polyline import LARGEST_COORDINATE, MOST_VERTICES
 
 _HIDDEN = frozenset({"defs", "clipPath", "symbol", "mask", "marker", "pattern"})
@@ -39,7 +39,11 @@ def read_svg_lines(data: bytes, *, name: str) -> ImportedLine:
     listen(data, found, name=name)
     notes = ["the drawing's unit was taken for a metre; say the scale if it is another"]
     if found.left_out:
-        what = "shape that is no path or polyline was" if found.left_out == 1 else "shapes that are no paths or polylines were"
+        what = (
+            "shape that is no path or polyline was"
+            if found.left_out == 1
+            else "shapes that are no paths or polylines were"
+        )
         notes.append(f"{found.left_out:,} {what} left out")
     return line_from_paths(found.paths(), name=name, notes=tuple(notes))
 
@@ -55,7 +59,7 @@ class _Svg:
         self._matrices: list[Matrix] = [_IDENTITY]
         self._hidden = 0
 
-    def start(self, tag: str, attributes: Mapping[str, str]) -> None:
+    def start(self, tag: str, attributes: Attributes) -> None:
         style = (attributes.get("style") or "").replace(" ", "")
         if self._hidden or tag in _HIDDEN or attributes.get("display") == "none" or "display:none" in style:
             self._hidden += 1
@@ -70,7 +74,7 @@ class _Svg:
         elif tag == "polyline":
             values = numbers(attributes.get("points") or "", most=2 * MOST_VERTICES)
             spots = [complex(x, y) for x, y in zip(values[0::2], values[1::2], strict=False)]
-            lines = [[Piece((a, b)) for a, b in zip(spots[:-1], spots[1:], strict=True)]] if len(spots) > 1 else []
+            lines = [[Piece(pair) for pair in pairwise(spots)]] if len(spots) > 1 else []
         elif tag in _LEFT_OUT:
             self.left_out += 1
         for line in lines:
@@ -79,7 +83,7 @@ class _Svg:
         if self._count > _MOST_PIECES or len(self._lines) > MOST_PATHS:
             raise InputError(f"{self._name}: the drawing has too many pieces; leave only the track in it")
 
-    def end(self, tag: str, text: str) -> None:  # noqa: ARG002 - no element has text that is wanted
+    def end(self, tag: str, text: str) -> None:
         self._matrices.pop()
         if self._hidden:
             self._hidden -= 1

@@ -15,8 +15,8 @@ from bobdesk.errors import InputError
 _TOKEN = re.compile(r"[\s,]*(?:([MmZzLlHhVvCcSsQqTtAa])|([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?))")
 _NUMBERS_OF = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _MOST_STEPS = 200
-
-Complex = complex
+_LARGEST = 1e12  # beyond it a path is at its end
+_SMALLEST_RADIUS = 1e-12
 
 
 @dataclass(frozen=True)
@@ -42,9 +42,7 @@ def subpaths(text: str, *, name: str, budget: int) -> list[list[Piece]]:
         If there are more.
     """
     found: list[list[Piece]] = []
-    count = 0
-    for starts, piece in _pieces(text):
-        count += 1
+    for count, (starts, piece) in enumerate(_pieces(text), 1):
         if count > budget:
             raise InputError(f"{name}: the drawing has too many pieces; leave only the track in it")
         if starts or not found:
@@ -75,9 +73,9 @@ def numbers(text: str, *, most: int) -> list[float]:
     """Return the numbers at the start of a list such as `points`, at most `most`."""
     result: list[float] = []
     position = 0
-    while len(result) < most and (match := _TOKEN.match(text, position)) and match[2]:
-        result.append(float(match[2]))
-        position = match.end()
+    while len(result) < most and (found := _number(text, position)):
+        value, position = found
+        result.append(value)
     return result
 
 
@@ -106,7 +104,10 @@ def _commands(text: str) -> Iterator[tuple[str, list[float]]]:
 
 def _number(text: str, position: int) -> tuple[float, int] | None:
     match = _TOKEN.match(text, position)
-    return (float(match[2]), match.end()) if match and match[2] else None
+    if not match or not match[2]:
+        return None
+    value = float(match[2])
+    return (value, match.end()) if abs(value) <= _LARGEST else None
 
 
 def _flag(text: str, position: int) -> tuple[float, int] | None:
@@ -163,16 +164,18 @@ def _pieces(text: str) -> Iterator[tuple[bool, Piece]]:
 
 def _arc(start: complex, end: complex, values: list[float]) -> list[Piece]:
     """Return an elliptic arc as cubic curves of at most 45 degrees (SVG 1.1, F.6; 1e-6 of the radius)."""
-    rx, ry, turn = abs(values[0]), abs(values[1]), complex(math.cos(math.radians(values[2])), math.sin(math.radians(values[2])))
+    rx, ry, turn = (
+        abs(values[0]),
+        abs(values[1]),
+        complex(math.cos(math.radians(values[2])), math.sin(math.radians(values[2]))),
+    )
     if start == end:
         return []
-    if not (rx > 0 and ry > 0) or not math.isfinite(rx * ry):
+    if min(rx, ry) < _SMALLEST_RADIUS:
         return [Piece((start, end))]
     half = (start - end) / 2 / turn
     half = complex(half.real / rx, half.imag / ry)
     size = abs(half)
-    if not (0 < size < math.inf):
-        return [Piece((start, end))]
     grown = max(size, 1.0)
     rx, ry, half, size = rx * grown, ry * grown, half / grown, size / grown
     sideways = math.sqrt(max(0.0, 1 / size**2 - 1)) * (-1 if values[3] == values[4] else 1)

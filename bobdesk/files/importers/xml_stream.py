@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Protocol
 from xml.sax import SAXException, SAXParseException
 from xml.sax.handler import ContentHandler
@@ -20,6 +19,13 @@ _LIMIT_DEPTH = 500
 _MOST_CHARACTERS_OF_A_NUMBER = 60
 
 
+class Attributes(Protocol):
+    """The attributes of an element."""
+
+    def get(self, name: str, /) -> str | None:
+        """Return the value of an attribute, None if it is not there."""
+
+
 class Listener(Protocol):
     """What a format does at each element; tags come without their namespace.
 
@@ -31,7 +37,7 @@ class Listener(Protocol):
 
     text_of: frozenset[str]
 
-    def start(self, tag: str, attributes: Mapping[str, str]) -> None:
+    def start(self, tag: str, attributes: Attributes) -> None:
         """Take the start of an element."""
 
     def end(self, tag: str, text: str) -> None:
