@@ -6,7 +6,7 @@ import numpy as np
 
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
-from bobdesk.files.importers.chain import joined, longest_chain
+from bobdesk.files.importers.chain import Part, joined, longest_chain
 from bobdesk.files.importers.imported_line import ImportedLine, imported_line
 from bobdesk.plan.polyline import LARGEST_COORDINATE, MOST_VERTICES
 from bobdesk.plan.projection import LARGEST_LATITUDE, Georeference, to_metres
@@ -38,9 +38,10 @@ def line_from_paths(
     flat = [path[:, :2] for path in paths]
     if not all(_in_range(path) for path in flat):
         raise InputError(f"{name}: a coordinate is not a finite number below 100,000 km")
-    chain = longest_chain(flat)
+    heights = [_z(path) for path in paths]
+    chain = _downhill(longest_chain(flat), heights)
     points = joined(flat, chain)
-    elevations, notes = _elevations(joined([_z(path) for path in paths], chain)[:, 0], notes)
+    elevations, notes = _elevations(joined(heights, chain)[:, 0], notes)
     return imported_line(points, elevations, name=name, notes=notes + _told(len(paths), len(chain)))
 
 
@@ -66,11 +67,12 @@ def line_from_degrees(
         if not (np.isfinite(degrees).all() and (np.abs(degrees) <= (360.0, LARGEST_LATITUDE)).all()):
             raise InputError(f"{name}: a longitude or latitude is missing or out of its range")
     first = origin or _at(paths[0][0])
-    chain = longest_chain([_projected(path, first, name=name) for path in paths])
+    heights = [_z(path) for path in paths]
+    chain = _downhill(longest_chain([_projected(path, first, name=name) for path in paths]), heights)
     degrees = joined([path[:, :2] for path in paths], chain)
     georeference = origin or _at(degrees[0])
     points = _projected(degrees, georeference, name=name)
-    elevations, notes = _elevations(joined([_z(path) for path in paths], chain)[:, 0], notes)
+    elevations, notes = _elevations(joined(heights, chain)[:, 0], notes)
     notes += _told(len(paths), len(chain))
     return imported_line(points, elevations, name=name, notes=notes, georeference=georeference)
 
@@ -112,6 +114,14 @@ def _in_range(path: FloatArray) -> bool:
 
 def _z(path: FloatArray) -> FloatArray:
     return path[:, 2:3] if path.shape[1] > 2 else np.full((len(path), 1), np.nan)
+
+
+def _downhill(chain: tuple[Part, ...], heights: list[FloatArray]) -> tuple[Part, ...]:
+    """Turn a line downhill whose parts are drawn in both directions; a line drawn in one stays."""
+    if len({turned for _, turned in chain}) < 2:
+        return chain
+    z = joined(heights, chain)[:, 0]
+    return tuple((path, not turned) for path, turned in reversed(chain)) if z[0] < z[-1] else chain
 
 
 def _elevations(z: FloatArray, notes: tuple[str, ...]) -> tuple[FloatArray | None, tuple[str, ...]]:

@@ -14,7 +14,6 @@ from ezdxf.entities.lwpolyline import LWPolyline
 from ezdxf.entities.polyline import Polyline
 from ezdxf.lldxf.const import DXFError
 from ezdxf.path import make_path
-from ezdxf.units import InsertUnits, conversion_factor
 
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
@@ -24,14 +23,15 @@ _DEEPEST = 8
 _MOST_ENTITIES = 200_000
 _FLATNESS_M = 1e-3
 _METRES = 6
-_UNIT_NAMES = {
-    1: "inches",
-    2: "feet",
-    4: "millimetres",
-    5: "centimetres",
-    7: "kilometres",
-    10: "yards",
-    14: "decimetres",
+# The drawing's $INSUNITS: name and metres.
+_UNITS = {
+    1: ("inches", 0.0254),
+    2: ("feet", 0.3048),
+    4: ("millimetres", 1e-3),
+    5: ("centimetres", 1e-2),
+    7: ("kilometres", 1e3),
+    10: ("yards", 0.9144),
+    14: ("decimetres", 0.1),
 }
 
 
@@ -68,10 +68,9 @@ def dxf_paths(data: bytes) -> tuple[list[FloatArray], list[str]]:
 def _factor(unit: int) -> tuple[float, list[str]]:
     if unit == _METRES:
         return 1.0, []
-    if unit in _UNIT_NAMES:
-        return conversion_factor(InsertUnits(unit), InsertUnits(_METRES)), [
-            f"the drawing is in {_UNIT_NAMES[unit]}; it was brought to metres"
-        ]
+    if unit in _UNITS:
+        title, metres = _UNITS[unit]
+        return metres, [f"the drawing is in {title}; it was brought to metres"]
     return 1.0, ["the drawing names no unit, so metres were assumed"]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Protocol
 from xml.sax import SAXException, SAXParseException
-from xml.sax.handler import ContentHandler
+from xml.sax.handler import ContentHandler, feature_external_ges
 from xml.sax.xmlreader import AttributesImpl
 
 from defusedxml.common import DefusedXmlException  # type: ignore[import-untyped]
@@ -57,7 +57,9 @@ def listen(data: bytes, listener: Listener, *, name: str) -> None:
             f"{name}: the file holds {len(data) / 1e6:,.0f} MB of XML; the most that is read is"
             f" {_LIMIT_BYTES // 1_000_000} MB"
         )
-    parser = create_parser()
+    # A DOCTYPE may name a file elsewhere (SVG 1.1 does): it is passed over, never fetched.
+    parser = create_parser(forbid_external=False)
+    parser.setFeature(feature_external_ges, False)
     parser.setContentHandler(_Handler(listener, name))
     try:
         # In one piece: handed over in small ones, expat before 2.6 reads a long token again for each.
