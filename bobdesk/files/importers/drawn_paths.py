@@ -80,12 +80,16 @@ def line_from_degrees(
 def georeference_at(longitude: float, latitude: float) -> Georeference | None:
     """Return a georeference if the degrees lie in their range."""
     if abs(longitude) <= 360.0 and abs(latitude) <= LARGEST_LATITUDE:
-        return Georeference(float(np.remainder(longitude + 180.0, 360.0) - 180.0), latitude)
+        return Georeference(_wrapped(longitude), latitude)
     return None
 
 
 def _at(point: FloatArray) -> Georeference:
-    return Georeference(float(np.remainder(point[0] + 180.0, 360.0) - 180.0), float(point[1]))
+    return Georeference(_wrapped(float(point[0])), float(point[1]))
+
+
+def _wrapped(longitude: float) -> float:
+    return longitude if abs(longitude) <= 180.0 else (longitude + 180.0) % 360.0 - 180.0
 
 
 def _projected(path: FloatArray, georeference: Georeference, *, name: str) -> FloatArray:
