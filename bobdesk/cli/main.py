@@ -20,6 +20,7 @@ COMMANDS = {
     "check": "Say whether length, drop and limits can be met, before any run.",
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
     "compare": "Compare a 3D line with the actual track.",
+    "export": "Write a 3D line in another format.",
 }
 
 

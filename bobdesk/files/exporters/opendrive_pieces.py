@@ -98,8 +98,8 @@ def elevation_pieces(line: Centreline3D, stations: FloatArray) -> list[Elevation
 
     def cubic_of(first: int, last: int) -> FloatArray:
         length = stations[last] - stations[first]
-        ends = (np.array([value]) for value in (z[first], z[last], slopes[first], slopes[last]))
-        return _hermite(*ends, length)[:, 0]
+        values, ways = z[[first, last], None], slopes[[first, last], None]
+        return _hermite(values[0], values[1], ways[0], ways[1], length)[:, 0]
 
     def fits(first: int, last: int) -> bool:
         inner = stations[first + 1 : last] - stations[first]
