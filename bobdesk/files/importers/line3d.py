@@ -76,7 +76,7 @@ def _as_written(table: Table) -> Centreline3D:
         word = table.rows[first][column]
         if word not in ("straight", "curve"):
             raise InputError(
-                f"{table.name}, line {table.lines[first]}, column kind holds '{word[:40]}'; it must be straight or curve"
+                f"{table.name}, line {table.lines[first]}, column kind holds '{word[:40]}', not straight or curve"
             )
         segments.append(Segment("straight" if word == "straight" else "curve", start, end))
     if segments[-1].start == segments[-1].end:
