@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from scipy.interpolate import Akima1DInterpolator, CubicSpline
@@ -14,6 +15,7 @@ from bobdesk.track.centreline3d import Centreline3D
 _PLAN_TOLERANCE_M = 1e-3
 _ELEVATION_TOLERANCE_M = 1e-4
 _MOST_ROWS = 64
+_SMALLEST_KINK, _KINK = 1e-3, 4.0
 # Gauss's points and weights on 0..1, exact to degree 9.
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(5)
 _NODES, _WEIGHTS = 0.5 * (_NODES + 1), 0.5 * _WEIGHTS
@@ -92,9 +94,27 @@ def plan_pieces(line: Centreline3D, stations: FloatArray, tangents: FloatArray) 
 
 
 def elevation_pieces(line: Centreline3D, stations: FloatArray) -> list[ElevationPiece]:
-    """Return pieces that pass every row within 0.1 mm; a kink of the gradient does not swing (Akima)."""
-    z = line.elevations
-    slopes = Akima1DInterpolator(stations, z)(stations, 1)
+    """Return pieces that pass every row within 0.1 mm; a kink of the gradient at a row stays a kink."""
+    kinks = _kinks(stations, line.elevations)
+    parts = pairwise([0, *kinks, len(stations) - 1])
+    pieces: list[ElevationPiece] = []
+    for first, last in parts:
+        pieces += _smooth_elevation(stations[first : last + 1], line.elevations[first : last + 1])
+    return pieces
+
+
+def _kinks(stations: FloatArray, z: FloatArray) -> list[int]:
+    """Return the rows where the gradient jumps: it changes there far more than at both neighbours."""
+    change = np.abs(np.diff(np.diff(z) / np.diff(stations)))
+    beside = np.concatenate([[0.0], change, [0.0]])
+    jumps = (change > _SMALLEST_KINK) & (change > _KINK * np.maximum(beside[:-2], beside[2:]))
+    return (np.flatnonzero(jumps) + 1).tolist()
+
+
+def _smooth_elevation(stations: FloatArray, z: FloatArray) -> list[ElevationPiece]:
+    # Akima's slopes do not swing beside a place where the gradient changes within a row or two.
+    straight = len(z) == 2
+    slopes = np.diff(z).repeat(2) / np.diff(stations) if straight else Akima1DInterpolator(stations, z)(stations, 1)
 
     def cubic_of(first: int, last: int) -> FloatArray:
         length = stations[last] - stations[first]
