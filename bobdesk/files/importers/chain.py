@@ -48,10 +48,12 @@ def longest_chain(paths: list[FloatArray]) -> tuple[Part, ...]:
     lengths = np.array([np.hypot(*np.diff(path, axis=0).T).sum() for path in paths])
     nodes = _nodes(paths)
     links = _links(nodes, lengths)
-    best: tuple[_Link, ...] = (max(links, key=lambda link: link.length),)
-    for trail in _trails(links):
-        if _length(trail) > _length(best) * (1 + 1e-12):
-            best = trail
+    first = max(links, key=lambda link: link.length)
+    best: tuple[_Link, ...] = (first,)
+    best_length = first.length
+    for trail, length in _trails(links):
+        if length > best_length * (1 + 1e-12):
+            best, best_length = trail, length
     parts = tuple(part for link in best for part in link.parts)
     backwards = sum(float(lengths[path]) for path, turned in parts if turned)
     if 2 * backwards > sum(float(lengths[path]) for path, _ in parts):
@@ -66,10 +68,6 @@ def joined(arrays: list[FloatArray], parts: tuple[Part, ...]) -> FloatArray:
         piece = arrays[path][::-1] if turned else arrays[path]
         pieces.append(piece[1:] if pieces else piece)
     return np.concatenate(pieces)
-
-
-def _length(trail: tuple[_Link, ...]) -> float:
-    return sum(link.length for link in trail)
 
 
 def _nodes(paths: list[FloatArray]) -> IntArray:
@@ -126,8 +124,8 @@ def _link_from(
         turned = ends[path][0] != node
 
 
-def _trails(links: list[_Link]) -> Iterator[tuple[_Link, ...]]:
-    """Yield ways over several links, none of them twice; gives up after a bounded number of steps."""
+def _trails(links: list[_Link]) -> Iterator[tuple[tuple[_Link, ...], float]]:
+    """Yield ways over several links, none of them twice, and their lengths; gives up after 20,000."""
     chosen = sorted((link for link in links if link.start != link.end), key=lambda link: -link.length)
     onward: dict[int, list[tuple[int, _Link]]] = defaultdict(list)
     for number, link in enumerate(chosen[:_MOST_BRANCHES]):
@@ -136,14 +134,14 @@ def _trails(links: list[_Link]) -> Iterator[tuple[_Link, ...]]:
     starts = sorted(onward, key=lambda node: (len(onward[node]) != 1, -onward[node][0][1].length))
     steps = 0
     for start in starts:
-        stack: list[tuple[int, tuple[_Link, ...], frozenset[int]]] = [(start, (), frozenset())]
+        stack: list[tuple[int, tuple[_Link, ...], float, frozenset[int]]] = [(start, (), 0.0, frozenset())]
         while stack:
-            node, trail, passed = stack.pop()
+            node, trail, length, passed = stack.pop()
             for number, link in reversed(onward[node]):
-                if number not in passed:
-                    longer = (*trail, link)
-                    yield longer
-                    stack.append((link.end, longer, passed | {number}))
-            steps += 1
-            if steps > _MOST_STEPS:
-                return
+                if number in passed:
+                    continue
+                yield (*trail, link), length + link.length
+                stack.append((link.end, (*trail, link), length + link.length, passed | {number}))
+                steps += 1
+                if steps > _MOST_STEPS:
+                    return

@@ -11,7 +11,8 @@ from bobdesk.files.importers.text import decode_text
 
 _LIMIT_BYTES = 100_000_000
 _LIMIT_PARTS = 6_000_000
-_LIMIT_OBJECTS = 1_000_000
+_LIMIT_MEMBERS = 3_000_000
+_LIMIT_OBJECTS = 600_000
 
 
 def parse_json(data: bytes, *, name: str) -> Any:
@@ -24,7 +25,8 @@ def parse_json(data: bytes, *, name: str) -> Any:
     """
     # A list or number takes up to thirty times its text in memory, so parts are counted beforehand.
     parts, objects = data.count(b",") + data.count(b"["), data.count(b"{")
-    if len(data) > _LIMIT_BYTES or parts > _LIMIT_PARTS or objects > _LIMIT_OBJECTS:
+    too_many = parts > _LIMIT_PARTS or objects > _LIMIT_OBJECTS or data.count(b":") > _LIMIT_MEMBERS
+    if len(data) > _LIMIT_BYTES or too_many:
         raise InputError(
             f"{name}: the JSON text is too large ({len(data) / 1e6:,.0f} MB, {parts + objects:,} parts);"
             " cut out the track first"

@@ -9,6 +9,7 @@ from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import georeference_at, line_from_degrees
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.xml_stream import Attributes, decimal, listen
+from bobdesk.plan.polyline import MOST_VERTICES
 from bobdesk.plan.projection import Georeference
 
 ORIGIN = "bobdesk_origin"
@@ -43,6 +44,7 @@ class _Kml:
         self._name = name
         self._within = ""
         self._data_name = ""
+        self._count = 0
         self._track: list[list[float]] = []
 
     def start(self, tag: str, attributes: Attributes) -> None:
@@ -56,6 +58,9 @@ class _Kml:
     def end(self, tag: str, text: str) -> None:
         if tag == "coordinates" and self._within == "LineString":
             self.paths.append(_coordinates(text, name=self._name))
+            self._count += len(self.paths[-1])
+            if self._count > MOST_VERTICES:
+                raise InputError(f"{self._name}: the lines have over {MOST_VERTICES:,} points; thin them out first")
         elif tag == "coord" and self._within == "Track":
             cells = [decimal(cell) for cell in text.split(maxsplit=4)[:3]]
             if len(cells) < 2:
@@ -76,7 +81,9 @@ class _Kml:
 def _coordinates(text: str, *, name: str) -> FloatArray:
     """Return longitude, latitude and elevation, (n, 3), of "lon,lat,alt lon,lat,alt ..."."""
     # Blanks beside a comma are against the rules but not rare.
-    tuples = text.replace(", ", ",").replace(" ,", ",").split()
+    tuples = text.replace(", ", ",").replace(" ,", ",").split(None, MOST_VERTICES)
+    if len(tuples) > MOST_VERTICES:
+        raise InputError(f"{name}: a line has over {MOST_VERTICES:,} points; thin it out first")
     if not tuples:
         return np.zeros((0, 3))
     width = tuples[0].count(",") + 1

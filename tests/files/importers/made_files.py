@@ -6,6 +6,7 @@ import io
 import json
 import zipfile
 
+import ezdxf
 import numpy as np
 import pyproj
 
@@ -59,14 +60,13 @@ def geojson():
 
 def _osm_parts():
     """The track in three ways, the middle one drawn backwards, beside a footpath."""
-    ways = [
+    return [
         (1, list(range(20)), {"sport": "bobsleigh;luge"}),
         (2, list(range(19, 40))[::-1], {"sport": "luge", "leisure": "track"}),
         (3, list(range(39, 60)), {"sport": "bobsleigh"}),
         (4, [59, 0], {"highway": "footway"}),
         (5, [0, 10, 30, 0], {"sport": "bobsleigh", "leisure": "sports_centre"}),
     ]
-    return ways
 
 
 def osm_xml():
@@ -98,7 +98,8 @@ def svg():
     return (
         '<?xml version="1.0"?>\n<!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN"'
         ' "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd">\n'
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 100"><rect width="3" height="3"/><path d="M{steps}"/></svg>'
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 100">'
+        f'<rect width="3" height="3"/><path d="M{steps}"/></svg>'
     ).encode()
 
 
@@ -108,8 +109,6 @@ def csv_text():
 
 
 def dxf(*, units=6):
-    import ezdxf
-
     drawing = ezdxf.new("R2010")
     drawing.header["$INSUNITS"] = units
     scale = {6: 1.0, 4: 1000.0}[units]

@@ -150,9 +150,10 @@ def test_arcs_bulges_splines_and_blocks_of_a_drawing_are_followed(read, tmp_path
 
 
 def test_without_ezdxf_a_drawing_says_what_to_install(read, monkeypatch):
+    content = made.dxf()
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     with pytest.raises(InputError, match=r'pip install "bobdesk\[cad\]"'):
-        read(made.dxf())
+        read(content)
 
 
 def test_curves_and_transforms_of_svg_are_exact(read):
