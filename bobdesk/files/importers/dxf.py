@@ -17,7 +17,7 @@ from bobdesk.files.importers.imported_line import ImportedLine
 
 WORKER_ARGUMENT = "--dxf-worker"
 _LIMIT_BYTES = 200_000_000
-_TIME_LIMIT_S = 9.0
+_TIME_LIMIT_S = 8.0
 
 
 def read_dxf(data: bytes, *, name: str) -> ImportedLine:

@@ -45,6 +45,9 @@ def dxf_paths(data: bytes) -> tuple[list[FloatArray], list[str]]:
     InputError
         If it is no DXF, or holds too many entities. Damaged drawings may raise anything.
     """
+    # ezdxf repairs what is cut off, and would return a part of the track without a word.
+    if b"EOF" not in data[-100:]:
+        raise InputError("this is no DXF drawing, or it ends too early")
     try:
         document, _ = recover.read(io.BytesIO(data))
     except DXFError as error:

@@ -30,7 +30,8 @@ def read_json(data: bytes, *, name: str) -> ImportedLine:
     if isinstance(document, dict):
         if document.get("format") == LINE_FORMAT:
             return _line(document, name=name)
-        if document.get("type") in TYPES:
+        kind = document.get("type")
+        if isinstance(kind, str) and kind in TYPES:
             return line_of_geojson(document, name=name)
         if "elements" in document:
             return line_of_overpass(document, name=name)

@@ -12,14 +12,15 @@ from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import MOST_PATHS, line_from_paths
 from bobdesk.files.importers.imported_line import ImportedLine
-from bobdesk.files.importers.svg_path import Piece, numbers, points_of, subpaths
+from bobdesk.files.importers.svg_path import TOO_MANY, Piece, numbers, points_of, subpaths
 from bobdesk.files.importers.xml_stream import Attributes, listen
-from bobdesk.plan.polyline import LARGEST_COORDINATE, MOST_VERTICES
+from bobdesk.plan.polyline import LARGEST_COORDINATE
 
 _HIDDEN = frozenset({"defs", "clipPath", "symbol", "mask", "marker", "pattern"})
 _LEFT_OUT = frozenset({"line", "rect", "circle", "ellipse", "polygon", "use", "text", "image"})
 _TRANSFORM = re.compile(r"(matrix|translate|scale|rotate|skewX|skewY)\s{0,9}\(([^()]{0,400})\)")
 _MOST_PIECES = 300_000
+_MOST_TRANSFORMS = 5_000_000  # characters
 _FLATNESS = 2e-5  # of the drawing's extent
 
 # x' = a x + c y + e, y' = b x + d y + f
@@ -58,6 +59,7 @@ class _Svg:
         self._name = name
         self._matrices: list[Matrix] = [_IDENTITY]
         self._hidden = 0
+        self._transformed = 0
 
     def start(self, tag: str, attributes: Attributes) -> None:
         style = (attributes.get("style") or "").replace(" ", "")
@@ -65,6 +67,9 @@ class _Svg:
             self._hidden += 1
         transform = attributes.get("transform")
         here = self._matrices[-1]
+        self._transformed += len(transform or "")
+        if self._transformed > _MOST_TRANSFORMS:
+            raise InputError(f"{self._name}: {TOO_MANY}")
         self._matrices.append(here if transform is None else _product(here, _matrix(transform)))
         if self._hidden:
             return
@@ -72,7 +77,7 @@ class _Svg:
         if tag == "path":
             lines = subpaths(attributes.get("d") or "", name=self._name, budget=_MOST_PIECES - self._count)
         elif tag == "polyline":
-            values = numbers(attributes.get("points") or "", most=2 * MOST_VERTICES)
+            values = numbers(attributes.get("points") or "", most=2 * (_MOST_PIECES - self._count + 2))
             spots = [complex(x, y) for x, y in zip(values[0::2], values[1::2], strict=False)]
             lines = [[Piece(pair) for pair in pairwise(spots)]] if len(spots) > 1 else []
         elif tag in _LEFT_OUT:
@@ -81,7 +86,7 @@ class _Svg:
             self._lines.append([_moved(piece, self._matrices[-1]) for piece in line])
             self._count += len(line)
         if self._count > _MOST_PIECES or len(self._lines) > MOST_PATHS:
-            raise InputError(f"{self._name}: the drawing has too many pieces; leave only the track in it")
+            raise InputError(f"{self._name}: {TOO_MANY}")
 
     def end(self, tag: str, text: str) -> None:
         self._matrices.pop()
@@ -114,7 +119,7 @@ def _product(left: Matrix, right: Matrix) -> Matrix:
 def _matrix(text: str) -> Matrix:
     """Return the product of the transforms in an attribute; those that are none are left out."""
     result = _IDENTITY
-    for kind, content in _TRANSFORM.findall(text[:10_000]):
+    for kind, content in _TRANSFORM.findall(text):
         values = numbers(content, most=6)
         step = _step(kind, values)
         if step is not None:

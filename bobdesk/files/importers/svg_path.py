@@ -17,6 +17,7 @@ _NUMBERS_OF = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "
 _MOST_STEPS = 200
 _LARGEST = 1e12  # beyond it a path is at its end
 _SMALLEST_RADIUS = 1e-12
+TOO_MANY = "the drawing has too many pieces; leave only the track in it"
 
 
 @dataclass(frozen=True)
@@ -34,7 +35,7 @@ def subpaths(text: str, *, name: str, budget: int) -> list[list[Piece]]:
     text
         As in SVG 1.1, 8.3; what follows an error is left out, as the standard wants it.
     budget
-        The most pieces there may be.
+        The most commands there may be.
 
     Raises
     ------
@@ -42,9 +43,7 @@ def subpaths(text: str, *, name: str, budget: int) -> list[list[Piece]]:
         If there are more.
     """
     found: list[list[Piece]] = []
-    for count, (starts, piece) in enumerate(_pieces(text), 1):
-        if count > budget:
-            raise InputError(f"{name}: the drawing has too many pieces; leave only the track in it")
+    for starts, piece in _pieces(text, name, budget):
         if starts or not found:
             found.append([])
         found[-1].append(piece)
@@ -117,10 +116,12 @@ def _flag(text: str, position: int) -> tuple[float, int] | None:
     return (float(text[position]), position + 1) if text[position : position + 1] in ("0", "1") else None
 
 
-def _pieces(text: str) -> Iterator[tuple[bool, Piece]]:
+def _pieces(text: str, name: str, budget: int) -> Iterator[tuple[bool, Piece]]:
     here = start = mirror = 0j
     last, starts = "", True
-    for command, values in _commands(text):
+    for count, (command, values) in enumerate(_commands(text)):
+        if count >= budget:
+            raise InputError(f"{name}: {TOO_MANY}")
         kind = command.upper()
         base = here if command.islower() else 0j
         pairs = [base + complex(x, y) for x, y in zip(values[0::2], values[1::2], strict=False)]

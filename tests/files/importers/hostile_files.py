@@ -58,11 +58,9 @@ def _encrypted():
 
 
 def _looping_dxf():
-    text = made.dxf().decode()
     block = "0\nBLOCK\n8\n0\n2\nA\n70\n0\n10\n0\n20\n0\n30\n0\n" + "0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n" * 8
-    return f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDBLK\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n".encode() + (
-        b"0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n0\nENDSEC\n0\nEOF\n" if text else b""
-    )
+    blocks = f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDBLK\n0\nENDSEC\n".encode()
+    return blocks + _entities("0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n")
 
 
 def _entities(body):
@@ -99,9 +97,12 @@ def hostile():
         "many.kml": b"<kml>" + b"<a/>" * 10_000_000 + b"</kml>",
         "comment.kml": b"<kml><!--" + b"x" * 60_000_000,
         "attribute.svg": b'<svg><path d="' + b"M0 0" * 15_000_000 + b'"/></svg>',
+        "points.svg": b"<svg>" + b'<polyline points="' + b"1 " * 30_000_000 + b'"/></svg>',
+        "transforms.svg": b"<svg>" + b'<g transform="' + b"scale(1)" * 7_000_000 + b'"/></svg>',
         "digits.svg": b'<svg><path d="M0 0 L' + b"1" * 60_000_000 + b' 5"/></svg>',
         "blanks.svg": b'<svg><path d="M0 0' + b" " * 60_000_000 + b'x"/></svg>',
-        "inf.svg": b'<svg transform="rotate(1e999) scale(1e300)"><path d="M0 0L1e308 1e308A1e300 1e-300 1e999 0 1 5 5"/></svg>',
+        "inf.svg": b'<svg transform="rotate(1e999) scale(1e300)"><path'
+        b' d="M0 0L1e308 1e308A1e300 1e-300 1e999 0 1 5 5"/></svg>',
         "scaled.svg": b"<svg>"
         + b'<g transform="scale(1e12)">' * 100
         + b'<path d="M0 0L1 1L2 0L3 3"/>'
@@ -124,7 +125,7 @@ def hostile():
         "half.kmz": made.kmz()[:900],
         "noise.kmz": b"PK\x03\x04" + noise,
         "noise.dxf": noise,
-        "half.dxf": made.dxf()[:60_000],
+        "half.dxf": made.dxf()[:10_000],
         "looping.dxf": _looping_dxf(),
         "arc.dxf": _entities("0\nARC\n8\n0\n10\n0\n20\n0\n40\n1e15\n50\n0\n51\n359\n"),
         "circles.dxf": _entities("0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1e9\n" * 2000),
@@ -147,7 +148,7 @@ def hostile():
         files[f"laughs.{ending}"] = _laughs(root)
         files[f"quadratic.{ending}"] = _quadratic(root)
         files[f"outside.{ending}"] = _outside(root)
-        files[f"half.{ending}"] = made.ALL[ending]()[:1800]
+        files[f"half.{ending}"] = made.ALL[ending]()[:1000]
     return files
 
 
