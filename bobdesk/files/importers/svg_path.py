@@ -12,7 +12,9 @@ import numpy as np
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 
-_TOKEN = re.compile(r"[\s,]*(?:([MmZzLlHhVvCcSsQqTtAa])|([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?))")
+# "*+" never gives a blank back, so that many of them cost no more than one pass.
+_BLANKS = re.compile(r"[\s,]*+")
+_TOKEN = re.compile(r"[\s,]*+(?:([MmZzLlHhVvCcSsQqTtAa])|([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,4})?))")
 _NUMBERS_OF = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
 _MOST_STEPS = 200
 _LARGEST = 1e12  # beyond it a path is at its end
@@ -111,8 +113,8 @@ def _number(text: str, position: int) -> tuple[float, int] | None:
 
 def _flag(text: str, position: int) -> tuple[float, int] | None:
     """Read a flag of an arc: 0 or 1, which need no blank after them."""
-    while position < len(text) and text[position] in " \t\r\n,":
-        position += 1
+    if blanks := _BLANKS.match(text, position):
+        position = blanks.end()
     return (float(text[position]), position + 1) if text[position : position + 1] in ("0", "1") else None
 
 

@@ -128,7 +128,6 @@ def hostile():
         "half.dxf": made.dxf()[:10_000],
         "looping.dxf": _looping_dxf(),
         "arc.dxf": _entities("0\nARC\n8\n0\n10\n0\n20\n0\n40\n1e15\n50\n0\n51\n359\n"),
-        "circles.dxf": _entities("0\nCIRCLE\n8\n0\n10\n0\n20\n0\n40\n1e9\n" * 2000),
         "spline.dxf": _entities(
             "0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n8\n73\n4\n" + "40\n0\n" * 8 + "10\nnan\n20\n0\n30\n0\n" * 4
         ),

@@ -81,7 +81,16 @@ def test_damaged_files_raise_nothing_but_the_one_error(name, known, data):
         piece = data.draw(
             st.one_of(
                 st.binary(max_size=6),
-                st.sampled_from(_PIECES)
+                st.sampled_from(_PIECES),
+            )
+        )
+        content[at : at + data.draw(st.integers(0, 12))] = piece
+    if data.draw(st.booleans()):
+        content = content[: data.draw(st.integers(0, len(content)))]
+    _read(bytes(content), known)
+
+
+@pytest.mark.parametrize(("name", "known"), _IN_PROCESS, ids=[name for name, _ in _IN_PROCESS])
 @_CALM
 @given(content=st.binary(min_size=1, max_size=300))
 def test_noise_raises_nothing_but_the_one_error(name, known, content):
@@ -95,8 +104,10 @@ _WORDS = ["Feature", "FeatureCollection", "LineString", "MultiLineString", "Geom
 _WORDS += ["bobdesk-line", "luge"]
 _JSON = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False, allow_infinity=False) | st.text(max_size=5),
-    lambda inner: st.lists(inner, max_size=4)
-    | st.dictionaries(st.sampled_from(_KEYS), inner | st.sampled_from(_WORDS), max_size=5),
+    lambda inner: (
+        st.lists(inner, max_size=4)
+        | st.dictionaries(st.sampled_from(_KEYS), inner | st.sampled_from(_WORDS), max_size=5)
+    ),
     max_leaves=30,
 )
 
