@@ -1,7 +1,8 @@
 """Files made to harm: each must give one sentence within 10 seconds and 1 GB.
 
-Run as a program with a folder, it reads every file made there and prints name, seconds and sentence as
-JSON, and at last the most memory that it and its helpers held.
+Run as a program with "make" and a folder it writes them there. With "read" it reads them and prints name,
+seconds and sentence as JSON, and at last the most memory, MB, that it and its helpers held. These are two
+processes, since a process's most memory begins with that of the one that started it.
 """
 
 from __future__ import annotations
@@ -9,12 +10,15 @@ from __future__ import annotations
 import io
 import json
 import random
+import resource
 import struct
 import sys
 import time
 import zipfile
 from pathlib import Path
 
+from bobdesk.errors import InputError
+from bobdesk.files.importers.formats import read_line
 from tests.files.importers import made_files as made
 
 _ROOTS = {"kml": "kml", "gpx": "gpx", "osm": "osm", "svg": "svg"}
@@ -151,12 +155,12 @@ def hostile():
     return files
 
 
-def main(folder: Path) -> None:
-    import resource
+def make(folder: Path) -> None:
+    for name, content in hostile().items():
+        (folder / name).write_bytes(content)
 
-    from bobdesk.errors import InputError
-    from bobdesk.files.importers.formats import read_line
 
+def read(folder: Path) -> None:
     for path in sorted(folder.iterdir()):
         started = time.perf_counter()
         sentence = None
@@ -171,4 +175,4 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    {"make": make, "read": read}[sys.argv[1]](Path(sys.argv[2]))
