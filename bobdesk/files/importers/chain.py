@@ -45,6 +45,10 @@ def longest_chain(paths: list[FloatArray]) -> tuple[Part, ...]:
     paths
         (n_i, 2) each, n_i at least 2.
     """
+    different = _different(paths)
+    if len(different) < len(paths):
+        chain = longest_chain([paths[index] for index in different])
+        return tuple((different[path], turned) for path, turned in chain)
     lengths = np.array([np.hypot(*np.diff(path, axis=0).T).sum() for path in paths])
     nodes = _nodes(paths)
     links = _links(nodes, lengths)
@@ -68,6 +72,14 @@ def joined(arrays: list[FloatArray], parts: tuple[Part, ...]) -> FloatArray:
         piece = arrays[path][::-1] if turned else arrays[path]
         pieces.append(piece[1:] if pieces else piece)
     return np.concatenate(pieces)
+
+
+def _different(paths: list[FloatArray]) -> list[int]:
+    """Return the indices of the paths without repeated ones, which would make a way there and back."""
+    seen: dict[bytes, int] = {}
+    for index, path in enumerate(paths):
+        seen.setdefault(min(path.tobytes(), path[::-1].tobytes()), index)
+    return list(seen.values())
 
 
 def _nodes(paths: list[FloatArray]) -> IntArray:
@@ -126,11 +138,12 @@ def _link_from(
 
 def _trails(links: list[_Link]) -> Iterator[tuple[tuple[_Link, ...], float]]:
     """Yield ways over several links, none of them twice, and their lengths; gives up after 20,000."""
-    chosen = sorted((link for link in links if link.start != link.end), key=lambda link: -link.length)
+    chosen = sorted(links, key=lambda link: -link.length)
     onward: dict[int, list[tuple[int, _Link]]] = defaultdict(list)
     for number, link in enumerate(chosen[:_MOST_BRANCHES]):
         onward[link.start].append((number, link))
-        onward[link.end].append((number, link.backwards()))
+        if link.end != link.start:
+            onward[link.end].append((number, link.backwards()))
     starts = sorted(onward, key=lambda node: (len(onward[node]) != 1, -onward[node][0][1].length))
     steps = 0
     for start in starts:
