@@ -12,6 +12,10 @@ def main() -> int:
         from bobdesk.files.picture_worker import main as decode
 
         return decode()
+    if sys.argv[1:2] == ["--dxf-worker"]:
+        from bobdesk.files.importers.dxf_worker import main as read_drawing
+
+        return read_drawing()
     from bobdesk.cli.main import run
 
     return run(sys.argv[1:])

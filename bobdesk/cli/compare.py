@@ -13,7 +13,7 @@ from bobdesk.cli.reports import comparison_report
 from bobdesk.cli.steps import check_outputs, to_json
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
-from bobdesk.files.importers.csv_points import read_csv_points
+from bobdesk.files.importers.formats import read_line
 from bobdesk.track.comparison import compare
 
 
@@ -24,8 +24,9 @@ from bobdesk.track.comparison import compare
 def command(line: Path, actual: Path, report: Path | None) -> None:
     """Say how far the elevation and gradient of LINE are from those of ACTUAL.
 
-    Both are CSV files with the columns x_m, y_m and z_m, from start to end. Elevations count from each
-    line's lowest point, and places are compared at equal shares of the plan length.
+    Both are CSV files with the columns x_m, y_m and z_m, or any other format with elevations, from
+    start to end. Elevations count from each line's lowest point, and places are compared at equal
+    shares of the plan length.
     """
     check_outputs([report], inputs=[line, actual])
     found = compare(_points(line), _points(actual))
@@ -41,7 +42,7 @@ def command(line: Path, actual: Path, report: Path | None) -> None:
 
 
 def _points(path: Path) -> FloatArray:
-    line = read_csv_points(path)
+    line = read_line(path)
     if line.elevations is None:
-        raise InputError(f"{path}: there is no column z_m; a comparison needs elevations in both files")
+        raise InputError(f"{path}: there are no elevations (column z_m); a comparison needs them in both files")
     return np.column_stack([line.polyline.vertices, line.elevations])

@@ -1,4 +1,4 @@
-"""`bobdesk export`: the result of a project as a file for other programs."""
+"""`bobdesk export`: the result of a project, or any 3D line, as a file for other programs."""
 
 from __future__ import annotations
 
@@ -7,54 +7,76 @@ from pathlib import Path
 import click
 
 from bobdesk.cli.options import FILE
-from bobdesk.cli.reports import run_report
-from bobdesk.cli.steps import PlanInput, to_json
+from bobdesk.cli.steps import check_outputs
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.files.atomic import write_atomic
 from bobdesk.files.exporters.csv_flavours import FLAVOURS
-from bobdesk.files.exporters.tables import line_table
-from bobdesk.files.project_file import load_project
-from bobdesk.project.derive_runs import run_centreline, run_deviations, run_line, run_solution, why_out_of_date
+from bobdesk.files.exporters.formats import export_format_of, export_formats, export_line
+from bobdesk.files.importers.line3d import read_line3d
+from bobdesk.files.project_file import is_project, load_project
+from bobdesk.plan.projection import Georeference
+from bobdesk.project.derive_runs import run_line, why_out_of_date
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
-from bobdesk.solve.feasibility import feasibility
-from bobdesk.solve.targets import in_scale
-
-_FORMATS = ("csv", "json")
+from bobdesk.track.centreline3d import Centreline3D
 
 
 @click.command("export")
 @click.argument("project", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="Where to write the result.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="FILE", help="Where to write it.")
 @click.option(
     "--format",
-    "kind",
-    type=click.Choice(_FORMATS),
-    help="csv: the 3D centreline, row by row. json: all figures. By the ending of FILE without it.",
+    "wanted",
+    metavar="FORMAT",
+    help="csv, json, geojson, kml, dxf, xodr, figures or a plug-in's; by the ending of FILE without it.",
 )
 @click.option(
     "--flavour",
     type=click.Choice(list(FLAVOURS)),
     default="default",
     show_default=True,
-    help="How CSV is written.",
+    help="How tables (csv, figures) are written.",
 )
-@click.option("--run", "wanted", metavar="NAME", help="Another run than the one that the project shows.")
-def command(project: Path, output: Path, kind: str | None, flavour: str, wanted: str | None) -> None:
-    """Write the result that PROJECT, a .bobdesk file, shows."""
-    check_writable(output)
-    opened = load_project(project)
-    run = _run(opened, project, wanted)
-    changed = why_out_of_date(opened, run)
-    if changed is not None:
-        click.echo(f"note: {project}: the result is out of date: {changed}", err=True)
-    chosen = kind or ("json" if output.suffix.lower() == ".json" else "csv")
+@click.option("--run", "run_name", metavar="NAME", help="Another run of the project than the one that it shows.")
+def command(project: Path, output: Path, wanted: str | None, flavour: str, run_name: str | None) -> None:
+    """Write the result that PROJECT, a .bobdesk file, shows.
+
+    PROJECT may also be LINE.csv of `bobdesk reconstruct`, or any other line with elevations. geojson
+    and kml need a line with its place on the Earth.
+    """
+    known = export_formats()
+    for finding in known.findings:
+        click.echo(f"note: {finding.sentence}", err=True)
+    keys = [format.key for format in known.formats]
+    if wanted is not None and wanted not in keys:
+        raise click.UsageError(f"--format must be one of {', '.join(keys)}, not '{wanted}'")
+    chosen = next((format for format in known.formats if format.key == wanted), None) or export_format_of(output)
+    if flavour != "default" and not chosen.is_table:
+        raise click.UsageError(f"--flavour is for tables; {chosen.title} has none")
+    check_outputs([output], inputs=[project])
+    line, georeference = _line_of(project, run_name)
     try:
-        content = to_json(_report(run)) if chosen == "json" else line_table(run_line(run), flavour=flavour)
+        content = export_line(line, format=chosen.key, flavour=flavour, georeference=georeference)
     except InputError as error:
         raise InputError(f"{project}: {error}") from error
     write_atomic(output, content)
-    click.echo(f"{run.name or 'the result'} written to {output}")
+    click.echo(f"{chosen.title}, {len(line.stations):,} rows; written to {output}")
+
+
+def _line_of(path: Path, run_name: str | None) -> tuple[Centreline3D, Georeference | None]:
+    if is_project(path):
+        project = load_project(path)
+        run = _run(project, path, run_name)
+        changed = why_out_of_date(project, run)
+        if changed is not None:
+            click.echo(f"note: {path}: the result is out of date: {changed}", err=True)
+        return run_line(run), None
+    if run_name is not None:
+        raise click.UsageError(f"--run is for projects; {path} is none")
+    found = read_line3d(path)
+    for note in found.notes:
+        click.echo(f"note: {path}: {note}", err=True)
+    return found.line, found.georeference
 
 
 def _run(project: Project, path: Path, wanted: str | None) -> Run:
@@ -67,13 +89,3 @@ def _run(project: Project, path: Path, wanted: str | None) -> Run:
     if project.run is None:
         raise InputError(f"{path}: the project has no result yet; solve it first")
     return project.run
-
-
-def _report(run: Run) -> dict[str, object]:
-    inputs = run.inputs
-    given = PlanInput(run_centreline(run), inputs.segments, inputs.targets, inputs.factor)
-    possible = feasibility(given.centreline, given.segments, given.targets, inputs.settings.pgd)
-    targets = in_scale(inputs.targets, 1 / inputs.factor)
-    return run_report(
-        given, targets, possible, run_solution(run), run_line(run), run.figures, run_deviations(run), run.seconds
-    )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from bobdesk.errors import InputError
-from bobdesk.files.importers.csv_points import ImportedLine
+from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.project_file import load_project
 from bobdesk.project import derive
 

@@ -104,7 +104,7 @@ def command(
     strict: bool,
     **options: Any,
 ) -> None:
-    """Make the 3D centreline of PLAN, a CSV file with the columns x_m and y_m, from length and drop.
+    """Make the 3D centreline of PLAN (CSV with x_m and y_m, or any format that is read) from length and drop.
 
     Drop and known elevations hold exactly; the length is met where it can be. What cannot be met is
     said, and `bobdesk check` says it beforehand.

@@ -21,7 +21,7 @@ from bobdesk.files.exporters.tables import segments_table
 def command(
     plan: Path, output: Path, spacing: float, wavelength: float, count: int | None, threshold: float | None
 ) -> None:
-    """Find the straights and curves of PLAN, a CSV file with the columns x_m and y_m.
+    """Find the straights and curves of PLAN: CSV with the columns x_m and y_m, or any format that is read.
 
     Writes segment, kind, from_m, to_m, radius_m, turn_rad. Correct the file by hand where it needs
     it, and hand it to `bobdesk reconstruct --segments`.

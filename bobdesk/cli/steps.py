@@ -19,7 +19,8 @@ from bobdesk.alignment.segments import Segments
 from bobdesk.cli.project_plan import line_of_project
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import check_writable
-from bobdesk.files.importers.csv_points import ImportedLine, read_csv_points
+from bobdesk.files.importers.formats import import_formats, read_line
+from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.files.project_file import is_project
 from bobdesk.plan.polyline import Polyline, edge_lengths
@@ -66,7 +67,9 @@ def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | Non
 
 def read_plan(path: Path) -> ImportedLine:
     """Read a plan and say on stderr what was changed or assumed."""
-    line = line_of_project(path) if is_project(path) else read_csv_points(path)
+    for finding in import_formats().findings:
+        click.echo(f"note: {finding.sentence}", err=True)
+    line = line_of_project(path) if is_project(path) else read_line(path)
     for note in line.notes:
         click.echo(f"note: {path}: {note}", err=True)
     return line

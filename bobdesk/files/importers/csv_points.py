@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 
-from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
-from bobdesk.files.importers.table import Table, read_table
-from bobdesk.plan.polyline import LARGEST_COORDINATE, Polyline, polyline_from_points
+from bobdesk.files.importers.dialect import Dialect
+from bobdesk.files.importers.imported_line import ImportedLine, imported_line
+from bobdesk.files.importers.table import Table, read_bytes, table_from
+from bobdesk.plan.polyline import LARGEST_COORDINATE
 
 _X = ("x_m", "x", "easting", "east", "x [m]", "x(m)", "x (m)")
 _Y = ("y_m", "y", "northing", "north", "y [m]", "y(m)", "y (m)")
@@ -18,23 +19,20 @@ _Z = ("z_m", "z", "elevation", "elevation_m", "height", "altitude", "z [m]", "z(
 _MOST_PLAIN_COLUMNS = 3
 
 
-@dataclass(frozen=True, eq=False)
-class ImportedLine:
-    """A line from a file.
+@dataclass(frozen=True)
+class CsvChoice:
+    """What a person says of a table that can be read in several ways ("1,234" is ambiguous by nature).
 
     Attributes
     ----------
-    polyline
-        The plan, m.
-    elevations : (n,) or None
-        Of its vertices, m, where the file has them.
-    notes
-        What was changed or assumed, a sentence each.
+    dialect
+        Separator and decimal sign; found out if None.
+    columns
+        Indices of x, y and z (or None), from 0; found by their names if None.
     """
 
-    polyline: Polyline
-    elevations: FloatArray | None
-    notes: tuple[str, ...]
+    dialect: Dialect | None = None
+    columns: tuple[int, int, int | None] | None = None
 
 
 def read_csv_points(path: Path) -> ImportedLine:
@@ -45,26 +43,42 @@ def read_csv_points(path: Path) -> ImportedLine:
     InputError
         If the file cannot be used; the sentence names file, line and column.
     """
-    table = read_table(path)
+    return line_of_csv(read_bytes(path), name=str(path))
+
+
+def line_of_csv(data: bytes, *, name: str, choice: CsvChoice | None = None) -> ImportedLine:
+    """Return the line in delimited text, (x, y) and z if it is there.
+
+    Parameters
+    ----------
+    data, name
+        The file's bytes, and its name for the sentences.
+    choice
+        What a person said of the table; found out if None.
+
+    Raises
+    ------
+    InputError
+        If the text cannot be used; the sentence names file, line and column.
+    """
+    table = table_from(data, name=name, dialect=None if choice is None else choice.dialect)
+    return line_of_table(table, choice=choice)
+
+
+def line_of_table(table: Table, *, choice: CsvChoice | None = None) -> ImportedLine:
+    """Return the line in a table; see `line_of_csv`."""
     notes: list[str] = []
-    x, y, z = _columns(table, notes)
+    x, y, z = _columns(table, notes) if choice is None or choice.columns is None else choice.columns
     points = np.column_stack([table.column(x, _title(table, x)), table.column(y, _title(table, y))])
     beyond = np.argwhere(np.abs(points) >= LARGEST_COORDINATE)
     if len(beyond):
         row, axis = beyond[0].tolist()
         raise InputError(
-            f"{path}, line {table.lines[row]}, column {_title(table, (x, y)[axis])} holds {points[row, axis]:g};"
+            f"{table.name}, line {table.lines[row]}, column {_title(table, (x, y)[axis])} holds {points[row, axis]:g};"
             " coordinates beyond 100,000 km cannot be used: are they metres?"
         )
     elevations = None if z is None else table.column(z, _title(table, z))
-    try:
-        polyline, kept = polyline_from_points(points)
-    except InputError as error:
-        raise InputError(f"{path}: {error}") from error
-    if len(kept) < len(points):
-        dropped = len(points) - len(kept)
-        notes.append(f"{dropped} repeated point{'s were' if dropped > 1 else ' was'} left out")
-    return ImportedLine(polyline, None if elevations is None else elevations[kept], tuple(notes))
+    return imported_line(points, elevations, name=table.name, notes=tuple(notes))
 
 
 def _columns(table: Table, notes: list[str]) -> tuple[int, int, int | None]:
@@ -90,4 +104,5 @@ def _first(header: list[str], names: tuple[str, ...]) -> int | None:
 
 
 def _title(table: Table, index: int) -> str:
-    return table.header[index] if table.header is not None else str(index + 1)
+    named = table.header is not None and index < len(table.header)
+    return table.header[index] if named and table.header is not None else str(index + 1)

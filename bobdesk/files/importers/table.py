@@ -103,30 +103,34 @@ def read_table(path: Path) -> Table:
     InputError
         If it cannot be read, is no text, or has too many rows.
     """
-    data = read_bytes(path)
+    return table_from(read_bytes(path), name=str(path))
+
+
+def table_from(data: bytes, *, name: str, dialect: Dialect | None = None) -> Table:
+    """Return delimited text as a table; see `read_table`. The dialect is found out if None."""
     count = max(data.count(b"\n"), data.count(b"\r"))
     if count > MOST_VERTICES + 1000:
         raise InputError(
-            f"{path}, line {MOST_VERTICES + 2:,}: the file goes on to line {count:,}, but the most that can be used"
+            f"{name}, line {MOST_VERTICES + 2:,}: the file goes on to line {count:,}, but the most that can be used"
             f" is {MOST_VERTICES:,} points; thin it out first"
         )
-    text = decode_text(data, name=str(path))
+    text = decode_text(data, name=name)
     numbered = [
         (position, line)
         for position, line in enumerate(text.splitlines(), 1)
         if line.strip() and not line.lstrip().startswith(_COMMENT)
     ]
     if not numbered:
-        raise InputError(f"{path}: the file holds no rows")
+        raise InputError(f"{name}: the file holds no rows")
     lines = [line for _, line in numbered]
     position, longest = max(numbered, key=lambda item: len(item[1]))
     if len(longest) > _LONGEST_ROW:
         raise InputError(
-            f"{path}, line {position}: the row has {len(longest):,} characters; this is no table of points"
+            f"{name}, line {position}: the row has {len(longest):,} characters; this is no table of points"
         )
-    dialect = guess_dialect(lines[1:] or lines)
+    dialect = dialect or guess_dialect(lines[1:] or lines)
     if text.count(dialect.separator) > _MOST_CELLS:
-        raise InputError(f"{path}: the table has over {_MOST_CELLS:,} cells; keep the columns x_m, y_m and z_m alone")
+        raise InputError(f"{name}: the table has over {_MOST_CELLS:,} cells; keep the columns x_m, y_m and z_m alone")
     rows = [cells_of(line, dialect) for line in lines]
     positions = [position for position, _ in numbered]
     header: list[str] | None = None
@@ -134,5 +138,5 @@ def read_table(path: Path) -> Table:
         header = [cell.lower() for cell in rows[0]]
         rows, positions = rows[1:], positions[1:]
     if not rows:
-        raise InputError(f"{path}: there is a header but no row below it")
-    return Table(str(path), header, rows, positions, dialect)
+        raise InputError(f"{name}: there is a header but no row below it")
+    return Table(name, header, rows, positions, dialect)
