@@ -15,6 +15,7 @@ import struct
 import sys
 import time
 import zipfile
+from functools import partial
 from pathlib import Path
 
 from bobdesk.errors import InputError
@@ -38,8 +39,8 @@ def _outside(root):
 
 
 def _lying_kmz():
-    """Return an archive that says its entry is small when it unpacks to 300 MB."""
-    data = bytearray(made.kmz(b"<kml>" + b" " * 300_000_000))
+    """Return an archive that says its entry is small when it unpacks to 150 MB."""
+    data = bytearray(made.kmz(b"<kml>" + b" " * 150_000_000))
     for mark, place in ((b"PK\x03\x04", 22), (b"PK\x01\x02", 24)):
         at = data.index(mark) + place
         data[at : at + 4] = struct.pack("<I", 1000)
@@ -61,6 +62,10 @@ def _encrypted():
     return bytes(data)
 
 
+def _first_kilobyte(name):
+    return made.ALL[name]()[:1000]
+
+
 def _looping_dxf():
     block = "0\nBLOCK\n8\n0\n2\nA\n70\n0\n10\n0\n20\n0\n30\n0\n" + "0\nINSERT\n8\n0\n2\nA\n10\n0\n20\n0\n" * 8
     blocks = f"0\nSECTION\n2\nBLOCKS\n{block}0\nENDBLK\n0\nENDSEC\n".encode()
@@ -71,93 +76,104 @@ def _entities(body):
     return f"0\nSECTION\n2\nENTITIES\n{body}0\nENDSEC\n0\nEOF\n".encode()
 
 
+def _kml_line(coordinates):
+    return b"<kml><LineString><coordinates>" + coordinates + b"</coordinates></LineString></kml>"
+
+
 def _geojson(coordinates):
     return b'{"type":"LineString","coordinates":' + coordinates + b"}"
 
 
 def hostile():
-    """Return names and contents."""
+    """Return names, and functions that make the contents: all at once would take over a gigabyte."""
     noise = random.Random(5).randbytes(200_000)
     files = {
-        "deep.json": b"[" * 200_000,
-        "deep_objects.json": b'{"a":' * 200_000,
-        "deep_closed.geojson": _geojson(b"[" * 200_000 + b"]" * 200_000),
-        "deep_500.geojson": _geojson(b"[" * 500 + b"1" + b"]" * 500),
-        "nan.geojson": _geojson(b"[[1,2],[NaN,3],[4,5]]"),
-        "infinity.geojson": _geojson(b"[[1,2],[-Infinity,3],[4,5]]"),
-        "overflow.geojson": _geojson(b"[[1,2],[1e999,3],[4,5]]"),
-        "long_number.geojson": _geojson(b"[[1,2],[" + b"9" * 5000 + b",3],[4,5]]"),
-        "large_number.geojson": _geojson(b"[[1,2],[" + b"9" * 400 + b",3],[4,5]]"),
-        "wide.geojson": _geojson(b'[[1,2],[1,"x"],[null,true]]'),
-        "far.geojson": _geojson(b"[[1,2],[100,3],[-100,40]]"),
-        "pole.geojson": _geojson(b"[[1,90],[2,90],[3,90]]"),
-        "many_lists.json": b"[" + b"[]," * 20_000_000 + b"1]",
-        "many_lists_below_limit.json": b"[" + b"[]," * 2_900_000 + b"1]",
-        "many_members.json": b"{" + b",".join(b'"k%d":1.5' % i for i in range(2_900_000)) + b"}",
-        "many_objects.json": b'{"elements":[' + b'{"type":"node","id":1},' * 590_000 + b"1]}",
-        "same_point.geojson": _geojson(b"[" + b"[1.5,2.5]," * 1_000_000 + b"[1,2]]"),
-        "half.geojson": made.geojson()[:1500],
-        "deep.kml": b"<kml>" + b"<a>" * 200_000,
-        "many.kml": b"<kml>" + b"<a/>" * 10_000_000 + b"</kml>",
-        "comment.kml": b"<kml><!--" + b"x" * 60_000_000,
-        "attribute.svg": b'<svg><path d="' + b"M0 0" * 15_000_000 + b'"/></svg>',
-        "points.svg": b"<svg>" + b'<polyline points="' + b"1 " * 30_000_000 + b'"/></svg>',
-        "transforms.svg": b"<svg>" + b'<g transform="' + b"scale(1)" * 7_000_000 + b'"/></svg>',
-        "digits.svg": b'<svg><path d="M0 0 L' + b"1" * 60_000_000 + b' 5"/></svg>',
-        "blanks.svg": b'<svg><path d="M0 0' + b" " * 60_000_000 + b'x"/></svg>',
-        "inf.svg": b'<svg transform="rotate(1e999) scale(1e300)"><path'
-        b' d="M0 0L1e308 1e308A1e300 1e-300 1e999 0 1 5 5"/></svg>',
-        "scaled.svg": b"<svg>"
-        + b'<g transform="scale(1e12)">' * 100
-        + b'<path d="M0 0L1 1L2 0L3 3"/>'
-        + b"</g>" * 100
-        + b"</svg>",
-        "tuples.kml": b"<kml><LineString><coordinates>" + b"11 " * 20_000_000 + b"</coordinates></LineString></kml>",
-        "pairs.kml": b"<kml><LineString><coordinates>" + b"1,1 " * 15_000_000 + b"</coordinates></LineString></kml>",
-        "huge.kml": b"<kml>" + b" " * 70_000_000 + b"</kml>",
-        "encoding.kml": b'<?xml version="1.0" encoding="EBCDIC-9"?><kml></kml>',
-        "no_nodes.osm": made.osm_xml().replace(b"<node", b"<nod"),
-        "bomb.kmz": made.kmz(b"<kml>" + b" " * 300_000_000),
-        "lying.kmz": _lying_kmz(),
-        "parent.kmz": _archive([("../../etc/cron.d/doc.kml", made.kml())]),
-        "absolute.kmz": _archive([("/etc/doc.kml", made.kml())]),
-        "windows.kmz": _archive([("C:\\\\doc.kml", made.kml())]),
-        "backslash.kmz": _archive([("..\\\\doc.kml", made.kml())]),
-        "no_kml.kmz": _archive([("a.png", b"1")]),
-        "many.kmz": _archive([(f"{i}", b"") for i in range(20_000)]),
-        "encrypted.kmz": _encrypted(),
-        "half.kmz": made.kmz()[:900],
-        "noise.kmz": b"PK\x03\x04" + noise,
-        "noise.dxf": noise,
-        "half.dxf": made.dxf()[:10_000],
-        "looping.dxf": _looping_dxf(),
-        "arc.dxf": _entities("0\nARC\n8\n0\n10\n0\n20\n0\n40\n1e15\n50\n0\n51\n359\n"),
-        "spline.dxf": _entities(
+        "deep.json": lambda: b"[" * 200_000,
+        "deep_objects.json": lambda: b'{"a":' * 200_000,
+        "deep_closed.geojson": lambda: _geojson(b"[" * 200_000 + b"]" * 200_000),
+        "deep_500.geojson": lambda: _geojson(b"[" * 500 + b"1" + b"]" * 500),
+        "nan.geojson": lambda: _geojson(b"[[1,2],[NaN,3],[4,5]]"),
+        "infinity.geojson": lambda: _geojson(b"[[1,2],[-Infinity,3],[4,5]]"),
+        "overflow.geojson": lambda: _geojson(b"[[1,2],[1e999,3],[4,5]]"),
+        "long_number.geojson": lambda: _geojson(b"[[1,2],[" + b"9" * 5000 + b",3],[4,5]]"),
+        "large_number.geojson": lambda: _geojson(b"[[1,2],[" + b"9" * 400 + b",3],[4,5]]"),
+        "wide.geojson": lambda: _geojson(b'[[1,2],[1,"x"],[null,true]]'),
+        "far.geojson": lambda: _geojson(b"[[1,2],[100,3],[-100,40]]"),
+        "pole.geojson": lambda: _geojson(b"[[1,90],[2,90],[3,90]]"),
+        "many_lists.json": lambda: b"[" + b"[]," * 20_000_000 + b"1]",
+        "many_lists_below_limit.json": lambda: b"[" + b"[]," * 2_900_000 + b"1]",
+        "many_members.json": lambda: b"{" + b",".join(b'"k%d":1.5' % i for i in range(2_900_000)) + b"}",
+        "many_objects.json": lambda: b'{"elements":[' + b'{"type":"node","id":1},' * 590_000 + b"1]}",
+        "same_point.geojson": lambda: _geojson(b"[" + b"[1.5,2.5]," * 1_000_000 + b"[1,2]]"),
+        "half.geojson": lambda: made.geojson()[:1500],
+        "deep.kml": lambda: b"<kml>" + b"<a>" * 200_000,
+        "many.kml": lambda: b"<kml>" + b"<a/>" * 10_000_000 + b"</kml>",
+        "comment.kml": lambda: b"<kml><!--" + b"x" * 60_000_000,
+        "attribute.svg": lambda: b'<svg><path d="' + b"M0 0" * 15_000_000 + b'"/></svg>',
+        "points.svg": lambda: b"<svg>" + b'<polyline points="' + b"1 " * 30_000_000 + b'"/></svg>',
+        "transforms.svg": lambda: b"<svg>" + b'<g transform="' + b"scale(1)" * 7_000_000 + b'"/></svg>',
+        "digits.svg": lambda: b'<svg><path d="M0 0 L' + b"1" * 60_000_000 + b' 5"/></svg>',
+        "blanks.svg": lambda: b'<svg><path d="M0 0' + b" " * 60_000_000 + b'x"/></svg>',
+        "inf.svg": lambda: (
+            b'<svg transform="rotate(1e999) scale(1e300)"><path d="M0 0L1e308 1e308A1e300 1e-300 1e999 0 1 5 5"/></svg>'
+        ),
+        "scaled.svg": lambda: (
+            b"<svg>"
+            + b'<g transform="scale(1e12)">' * 100
+            + b'<path d="M0 0L1 1L2 0L3 3"/>'
+            + b"</g>" * 100
+            + b"</svg>"
+        ),
+        "tuples.kml": lambda: (
+            b"<kml><LineString><coordinates>" + b"11 " * 20_000_000 + b"</coordinates></LineString></kml>"
+        ),
+        "pairs.kml": lambda: (
+            b"<kml><LineString><coordinates>" + b"1,1 " * 15_000_000 + b"</coordinates></LineString></kml>"
+        ),
+        "huge.kml": lambda: b"<kml>" + b" " * 70_000_000 + b"</kml>",
+        "encoding.kml": lambda: b'<?xml version="1.0" encoding="EBCDIC-9"?><kml></kml>',
+        "no_nodes.osm": lambda: made.osm_xml().replace(b"<node", b"<nod"),
+        "bomb.kmz": lambda: made.kmz(b"<kml>" + b" " * 150_000_000),
+        "lying.kmz": lambda: _lying_kmz(),
+        "parent.kmz": lambda: _archive([("../../etc/cron.d/doc.kml", made.kml())]),
+        "absolute.kmz": lambda: _archive([("/etc/doc.kml", made.kml())]),
+        "windows.kmz": lambda: _archive([("C:\\\\doc.kml", made.kml())]),
+        "backslash.kmz": lambda: _archive([("..\\\\doc.kml", made.kml())]),
+        "no_kml.kmz": lambda: _archive([("a.png", b"1")]),
+        "many.kmz": lambda: _archive([(f"{i}", b"") for i in range(20_000)]),
+        "encrypted.kmz": lambda: _encrypted(),
+        "half.kmz": lambda: made.kmz()[:900],
+        "noise.kmz": lambda: b"PK\x03\x04" + noise,
+        "noise.dxf": lambda: noise,
+        "half.dxf": lambda: made.dxf()[:10_000],
+        "looping.dxf": lambda: _looping_dxf(),
+        "arc.dxf": lambda: _entities("0\nARC\n8\n0\n10\n0\n20\n0\n40\n1e15\n50\n0\n51\n359\n"),
+        "spline.dxf": lambda: _entities(
             "0\nSPLINE\n8\n0\n70\n8\n71\n3\n72\n8\n73\n4\n" + "40\n0\n" * 8 + "10\nnan\n20\n0\n30\n0\n" * 4
         ),
-        "nan.dxf": _entities("0\nLINE\n8\n0\n10\nnan\n20\n0\n11\ninf\n21\n1\n"),
-        "binary.dxf": b"AutoCAD Binary DXF\r\n\x1a\x00" + noise,
-        "one_line.csv": b"1," * 50_000_000,
-        "cells.csv": b"x_m,y_m\n" + (b"1," * 5000 + b"\n") * 8000,
-        "rows.csv": b"1,2\n" * 1_500_000,
-        "zero.csv": b"\0" * 1_000_000,
-        "noise.csv": noise,
-        "nan.csv": b"x_m,y_m\n0,0\nnan,1\n2,2\n",
-        "empty.csv": b"",
-        "quotes.csv": b'"' * 90_000,
-        "picture.csv": b"\x89PNG\r\n\x1a\n" + noise,
+        "nan.dxf": lambda: _entities("0\nLINE\n8\n0\n10\nnan\n20\n0\n11\ninf\n21\n1\n"),
+        "binary.dxf": lambda: b"AutoCAD Binary DXF\r\n\x1a\x00" + noise,
+        "one_line.csv": lambda: b"1," * 50_000_000,
+        "cells.csv": lambda: b"x_m,y_m\n" + (b"1," * 5000 + b"\n") * 8000,
+        "rows.csv": lambda: b"1,2\n" * 1_500_000,
+        "zero.csv": lambda: b"\0" * 1_000_000,
+        "noise.csv": lambda: noise,
+        "nan.csv": lambda: b"x_m,y_m\n0,0\nnan,1\n2,2\n",
+        "empty.csv": lambda: b"",
+        "quotes.csv": lambda: b'"' * 90_000,
+        "picture.csv": lambda: b"\x89PNG\r\n\x1a\n" + noise,
     }
     for ending, root in _ROOTS.items():
-        files[f"laughs.{ending}"] = _laughs(root)
-        files[f"quadratic.{ending}"] = _quadratic(root)
-        files[f"outside.{ending}"] = _outside(root)
-        files[f"half.{ending}"] = made.ALL[ending]()[:1000]
+        files[f"laughs.{ending}"] = partial(_laughs, root)
+        files[f"quadratic.{ending}"] = partial(_quadratic, root)
+        files[f"outside.{ending}"] = partial(_outside, root)
+        files[f"half.{ending}"] = partial(_first_kilobyte, ending)
     return files
 
 
 def make(folder: Path) -> None:
     for name, content in hostile().items():
-        (folder / name).write_bytes(content)
+        (folder / name).write_bytes(content())
 
 
 def read(folder: Path) -> None:
