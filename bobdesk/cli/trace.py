@@ -11,9 +11,9 @@ import numpy as np
 
 from bobdesk.arrays import FloatArray
 from bobdesk.cli.options import FILE, SeveralValues, report_option
-from bobdesk.cli.steps import to_json, with_progress
+from bobdesk.cli.steps import check_outputs, to_json, with_progress
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import check_writable, write_atomic
+from bobdesk.files.atomic import write_atomic
 from bobdesk.files.exporters.tables import trace_table
 from bobdesk.files.importers.table import read_bytes
 from bobdesk.files.importers.text import decode_text
@@ -28,6 +28,8 @@ from bobdesk.plan.trace import Trace, TraceSettings, propose_loops, trace_line
 
 # An end of the line is clicked to about this, 1 sigma, pixels.
 _END_SIGMA_PX = 1.0
+_SHORTEST_PX = 10.0
+_NO_LINE = 0.15
 
 
 def _pixel(text: str) -> tuple[float, float]:
@@ -89,17 +91,14 @@ def command(
 ) -> None:
     """Follow the drawn line in PICTURE from --start to --end to a fraction of a pixel.
 
-    Pixels count from the top left pixel's centre, 0,0. Writes x_m, y_m, px, py, confidence: y points
+    Pixels count from the top left pixel's centre, 0,0; those of PDF and SVG are the ones at --dpi.
+    Writes x_m, y_m, px, py, confidence: y points
     up, the origin is the first point, the axes are the picture's.
     """
     if start is None or end is None:
         raise click.UsageError("say where the line starts and ends: --start PX,PY --end PX,PY")
     clicks = np.array([_pixel(text) for text in (start, *via, end)])
-    if len({path.absolute() for path in (output, report) if path is not None}) < 1 + (report is not None):
-        raise click.UsageError("two outputs have the same name")
-    for path in (output, report):
-        if path is not None:
-            check_writable(path)
+    check_outputs([output, report], inputs=[picture, points])
     image = read_picture(picture, page=page, dpi=dpi)
     for note in image.notes:
         click.echo(f"note: {picture}: {note}", err=True)
@@ -108,6 +107,7 @@ def command(
     started = time.perf_counter()
     trace = _traced(picture, image, clicks, loops=loops, settings=_settings(line))
     seconds = time.perf_counter() - started
+    _refuse_nothing(picture, trace)
     metres = calibration.to_metres(trace.points)
     metres = metres - metres[0]
     length = float(np.hypot(*np.diff(metres, axis=0).T).sum())
@@ -158,6 +158,14 @@ def _traced(picture: Path, image: PlanImage, clicks: FloatArray, *, loops: bool,
         return with_progress(trace_line(image.pixels, clicks, settings=settings), "tracing")
     except InputError as error:
         raise InputError(f"{picture}: {error}") from error
+
+
+def _refuse_nothing(picture: Path, trace: Trace) -> None:
+    """Refuse a trace that is no line, so that no plan of blank paper is written."""
+    if trace.length_px < _SHORTEST_PX:
+        raise InputError(f"{picture}: start and end are the same place, {trace.length_px:.0f} px apart along the line")
+    if float(trace.confidence.mean()) < _NO_LINE:
+        raise InputError(f"{picture}: there is no line between the points; start and end must lie on it")
 
 
 def _calibration(

@@ -15,6 +15,8 @@ from bobdesk.plan.stages import at_fraction, at_once
 SCALES = (0.8, 1.2, 1.8, 2.7, 4.0, 6.0)
 # Off the line a step costs 1 / _FLOOR = 50 times a step on it.
 _FLOOR = 0.02
+_WIDEST_STROKE = 40.0
+_SCALE_OF_WIDTH = 0.3
 
 
 def ridge(ink: Float32Array, *, sigma: float) -> Generator[float, None, Float32Array]:
@@ -61,15 +63,34 @@ def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach:
     return float(np.median(lines)), float(np.median(noises))
 
 
+def stroke_width(ink: Float32Array, clicks: FloatArray, *, reach: float = 7.0) -> float:
+    """Return the width of the stroke at the clicks (n, 2), pixels; the least of them, since labels are wider."""
+    widths = []
+    outer = int(_WIDEST_STROKE / 2 + reach)
+    for x, y in clicks:
+        column = int(np.clip(x, 0, ink.shape[1] - 1))
+        row = int(np.clip(y, 0, ink.shape[0] - 1))
+        top, left = max(0, row - outer), max(0, column - outer)
+        window = ink[top : row + outer + 1, left : column + outer + 1]
+        rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
+        near = np.hypot(rows + top - y, columns + left - x) <= reach
+        inside = ndimage.distance_transform_edt(window > 0.5 * window[near].max())
+        widths.append(2 * float(inside[near].max()) - 1)
+    return min(widths)
+
+
 def scale_at(ink: Float32Array, clicks: FloatArray) -> tuple[float, float]:
     """Return the ridge scale at which the line at the clicks (n, 2) stands out most, and its strength there.
 
-    Without noise that is the scale of the line's width; grain answers at the smallest scales.
+    Without noise that is the scale of the line's width; grain answers at the smallest scales, and so
+    does the sharp edge of a broad stroke, for which reason scales far below its width are left out.
     """
-    answers = np.array([strength_near(ink, clicks, sigma=sigma) for sigma in SCALES])
+    narrowest = min(_SCALE_OF_WIDTH * stroke_width(ink, clicks), SCALES[-1])
+    scales = [sigma for sigma in SCALES if sigma >= narrowest]
+    answers = np.array([strength_near(ink, clicks, sigma=sigma) for sigma in scales])
     strengths, noises = answers[:, 0], answers[:, 1]
     best = int((strengths / (0.15 * strengths.max() + 6.0 * noises + 1e-9)).argmax())
-    return SCALES[best], float(strengths[best])
+    return scales[best], float(strengths[best])
 
 
 def ridge_score(

@@ -2,16 +2,16 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 from pathlib import Path
 
 import pytest
 
 from bobdesk.cli.main import run
+from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.files.project_file import save_project
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
-from tests.project.made_projects import coordinates_project, full_project, ready_project, solved_run
+from tests.project.made_projects import coordinates_project, full_project, ready_project
 
 
 def saved(project: Project, folder: Path) -> str:
@@ -28,7 +28,7 @@ def test_the_shown_run_is_written_as_csv(tmp_path: Path, capsys: pytest.CaptureF
     assert shown is not None
     assert float(rows[-1]["s_m"]) == pytest.approx(shown.figures.length, abs=1e-5)
     assert float(rows[0]["z_m"]) == pytest.approx(shown.figures.drop, abs=1e-5)
-    assert "Run 2 written" in capsys.readouterr().out
+    assert f"CSV, {len(rows)} rows; written to" in capsys.readouterr().out
 
 
 def test_flavours_and_another_run(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -41,16 +41,15 @@ def test_flavours_and_another_run(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert "there is no run named none such; there are Run 1, Run 2" in capsys.readouterr().err
 
 
-def test_json_is_the_report(tmp_path: Path) -> None:
-    output = tmp_path / "r.json"
+@pytest.mark.parametrize("kind", ["json", "dxf"])
+def test_other_formats_hold_the_same_line(kind: str, tmp_path: Path) -> None:
+    output = tmp_path / f"line.{kind}"
     assert run(["export", saved(full_project(), tmp_path), "-o", str(output)]) == 0
-    report = json.loads(output.read_text())
+    line = read_line3d(output).line
     shown = full_project().run
     assert shown is not None
-    assert report["achieved"]["length_m"] == shown.figures.length
-    assert report["targets"]["known"][0]["station"] == full_project().known_elevations[0].station
-    assert report["method"] == "pgd"
-    assert len(report["segments"]) == len(shown.inputs.segments)
+    assert line.slope_lengths[-1] == pytest.approx(shown.figures.length, abs=1e-5)
+    assert line.elevations[0] == pytest.approx(shown.figures.drop, abs=1e-5)
 
 
 def test_a_project_without_a_result_is_a_sentence(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -69,16 +68,3 @@ def test_a_project_is_a_plan(tmp_path: Path, capsys: pytest.CaptureFixture[str])
     unready = edits.delete_line(ready_project())
     assert run(["segment", saved(unready, tmp_path), "-o", str(output)]) == 3
     assert "there is no line yet" in capsys.readouterr().err
-
-
-def test_the_report_of_an_unknown_scale_counts_in_the_drawing(tmp_path: Path) -> None:
-    project = edits.find_the_scale(ready_project())
-    project = edits.keep_run(project, solved_run(project))
-    output = tmp_path / "r.json"
-    assert run(["export", saved(project, tmp_path), "-o", str(output)]) == 0
-    report = json.loads(output.read_text())
-    drawn = derive.digitised_length(project)
-    assert drawn is not None
-    # Metres per pixel, since an unknown scale counts pixels.
-    assert report["scale"] * drawn == pytest.approx(report["achieved"]["length_m"], rel=0.03)
-    assert report["targets"]["known"][0]["station"] == pytest.approx(project.known_elevations[0].station)

@@ -247,3 +247,15 @@ def test_an_empty_picture_gives_a_trace_that_says_so() -> None:
     trace = finish(trace_line(np.full((200, 300), 255, np.uint8), [[20.0, 20.0], [250.0, 180.0]]))
     assert trace.confidence.max() < 0.5
     assert "hardly a line" in trace.warnings[0]
+
+
+@pytest.mark.parametrize("width", [3.0, 5.0, 7.0, 9.0, 13.0, 20.0])
+def test_a_stroke_with_sharp_edges_is_followed_whatever_its_width(width: float) -> None:
+    drawn = draw(
+        random_track(3, curves=9, radius=60.0), Style(width=width, colour=(200, 30, 30), paper=(232, 236, 226)), seed=3
+    )
+    trace = finish(trace_line(drawn.pixels, drawn.track[[0, -1]]))
+    apart = shapely.distance(shapely.LineString(trace.points), shapely.points(drawn.track))
+    assert apart.mean() < 0.5
+    assert trace.kind == "single"
+    assert not any("hardly a line" in warning for warning in trace.warnings)
