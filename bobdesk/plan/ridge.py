@@ -42,6 +42,16 @@ def ridge(ink: Float32Array, *, sigma: float) -> Generator[float, None, Float32A
     return np.asarray(strength, dtype=np.float32)
 
 
+def _around(ink: Float32Array, x: float, y: float, outer: int) -> tuple[Float32Array, FloatArray]:
+    """Return the ink within `outer` pixels of a point, and each pixel's distance from it."""
+    column = int(np.clip(x, 0, ink.shape[1] - 1))
+    row = int(np.clip(y, 0, ink.shape[0] - 1))
+    top, left = max(0, row - outer), max(0, column - outer)
+    window = ink[top : row + outer + 1, left : column + outer + 1]
+    rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
+    return window, np.hypot(rows + top - y, columns + left - x)
+
+
 def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach: float = 7.0) -> tuple[float, float]:
     """Return the ridge strength at `sigma` on the line at the clicks (n, 2), and that of the noise around.
 
@@ -50,12 +60,7 @@ def strength_near(ink: Float32Array, clicks: FloatArray, *, sigma: float, reach:
     lines, noises = [], []
     outer = int(4 * sigma + 3 * reach)
     for x, y in clicks:
-        column = int(np.clip(x, 0, ink.shape[1] - 1))
-        row = int(np.clip(y, 0, ink.shape[0] - 1))
-        top, left = max(0, row - outer), max(0, column - outer)
-        window = ink[top : row + outer + 1, left : column + outer + 1]
-        rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
-        away = np.hypot(rows + top - y, columns + left - x)
+        window, away = _around(ink, x, y, outer)
         near = np.exp(-(np.clip(away - 0.7 * reach, 0, None) ** 2) / (2 * (0.25 * reach) ** 2))
         strength = at_once(ridge(window, sigma=sigma))
         lines.append(float((strength * near).max()))
@@ -68,12 +73,8 @@ def stroke_width(ink: Float32Array, clicks: FloatArray, *, reach: float = 7.0) -
     widths = []
     outer = int(_WIDEST_STROKE / 2 + reach)
     for x, y in clicks:
-        column = int(np.clip(x, 0, ink.shape[1] - 1))
-        row = int(np.clip(y, 0, ink.shape[0] - 1))
-        top, left = max(0, row - outer), max(0, column - outer)
-        window = ink[top : row + outer + 1, left : column + outer + 1]
-        rows, columns = np.mgrid[0 : window.shape[0], 0 : window.shape[1]]
-        near = np.hypot(rows + top - y, columns + left - x) <= reach
+        window, away = _around(ink, x, y, outer)
+        near = away <= reach
         inside = ndimage.distance_transform_edt(window > 0.5 * window[near].max())
         widths.append(2 * float(inside[near].max()) - 1)
     return min(widths)
