@@ -66,6 +66,13 @@ _WITHOUT_KNOWN = ("published", "lbfgsb", "de")
     "--transition", type=float, default=8.0, show_default=True, help="Length of vertical transitions, m (pgd)."
 )
 @click.option(
+    "--level-out",
+    type=float,
+    default=30.0,
+    show_default=True,
+    help="A lowest point is level: let the gradient die out over this length before an end there, m (pgd).",
+)
+@click.option(
     "--meet-length/--smoothest", default=True, show_default=True, help="Meet the length, or stay smoothest (pgd)."
 )
 @click.option(
@@ -96,6 +103,7 @@ def command(
     weight_gradient: float,
     rate: float | None,
     transition: float,
+    level_out: float,
     meet_length: bool,
     flavour: str,
     report: Path | None,
@@ -115,6 +123,8 @@ def command(
         raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
     if not 0 <= transition <= 200:
         raise click.UsageError(f"--transition must lie between 0 and 200 m, not {transition:g}")
+    if not 0 <= level_out <= 1000:
+        raise click.UsageError(f"--level-out must lie between 0 and 1000 m, not {level_out:g}")
     weights = Weights(weight_length, weight_height, weight_curvature, weight_gradient)
     if not all(
         0 <= weight < float("inf") for weight in (weight_length, weight_height, weight_curvature, weight_gradient)
@@ -124,7 +134,7 @@ def command(
         raise click.UsageError(f"--rate must be more than 0, not {rate:g}")
     settings = SolverSettings(
         method=cast(Method, method),
-        pgd=PgdSettings(transition=transition, meet_length=meet_length),
+        pgd=PgdSettings(transition=transition, level_out=level_out, meet_length=meet_length),
         weights=weights,
         rate=rate,
     )

@@ -214,3 +214,17 @@ def test_the_scale_is_found_on_a_plan_drawn_at_half_size(call):
     line = pd.read_csv(call.path("l.csv"))
     assert line.s_m.iloc[-1] == pytest.approx(703, abs=1e-3)
     assert report["plan_length_m"] * report["scale"] == pytest.approx(line.station_m.iloc[-1], rel=1e-9)
+
+
+def test_level_out_lets_the_gradient_die_out_before_the_end(call):
+    ends = []
+    for level_out in (0, 30):
+        said = call(
+            "reconstruct", call.plan, *TARGETS, "--smoothest", "--level-out", level_out, "-o", call.path("l.csv")
+        )  # fmt: skip
+        assert said.status == 0
+        ends.append(pd.read_csv(call.path("l.csv")).gradient.iloc[-1])
+    assert ends[1] < 0.7 * ends[0]
+    call.refused(
+        "reconstruct", call.plan, *TARGETS, "--level-out", -1, "-o", call.path("m.csv"), status=2
+    )  # fmt: skip
