@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from scipy import sparse
+from scipy.linalg import solveh_banded
 from scipy.sparse.linalg import spsolve
 
 from bobdesk.arrays import FloatArray, IntArray
@@ -90,7 +91,8 @@ class Swings:
         self._smoothest = smoothest
         self._group_of = _groups(problem, longest)
         self._starts = np.flatnonzero(np.diff(self._group_of, prepend=-1))
-        self._roots = np.sqrt(self._summed(lengths))
+        self.lengths = self._summed(lengths)
+        self._roots = np.sqrt(self.lengths)
         feasible = problem.feasible_set
         self.count = len(self._starts)
         self.feasible_set = FeasibleSet(
@@ -169,6 +171,30 @@ class Swinging:
         change, by_gradient = self._change_of_elevation(difference)
         weighted = self._evenness * self._lengths * off
         return change + float(weighted @ off), self._swings.derivative(by_gradient + 2 * weighted)
+
+    def start(self, turn: FloatArray) -> FloatArray:
+        """Return the variables for a size of 1 where no limit is reached, (groups,).
+
+        In the elevations at the groups' edges J is a chain, 0 at the anchors: one banded solve. On a
+        long line descent from anywhere else would take thousands of steps.
+        """
+        lengths = self._swings.lengths
+        steps = turn / np.sqrt(lengths)
+        inner = np.flatnonzero(np.diff(self._swings.feasible_set.stretch_of) == 0)
+        evenness = self._evenness * self._total
+        bands = np.zeros((2, len(lengths) - 1))
+        bands[1] = (lengths[:-1] + lengths[1:]) / 3 + evenness * (1 / lengths[:-1] + 1 / lengths[1:])
+        bands[0, 1:] = lengths[1:-1] / 6 - evenness / lengths[1:-1]
+        right = evenness * (steps[1:] - steps[:-1])
+        held = np.setdiff1d(np.arange(len(right)), inner)
+        bands[1, held], right[held] = 1.0, 0.0
+        bands[0, held] = 0.0
+        bands[0, held[held + 1 < len(right)] + 1] = 0.0
+        if len(right) == 0:
+            return np.zeros_like(turn)
+        edges = np.concatenate([[0.0], solveh_banded(bands, right), [0.0]])
+        start: FloatArray = -np.diff(edges) / np.sqrt(lengths)
+        return start
 
     def change(self, swings: FloatArray) -> float:
         """Return the mean square change of the elevation, m²."""

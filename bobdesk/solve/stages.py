@@ -20,6 +20,7 @@ _ROUNDS_OF_LENGTH = 30
 _OVERSHOOT = 1.05
 _BARELY_PLAUSIBLE = 1.02
 _SWING_TOLERANCE = 1e-9
+_STEPS_A_SIZE = 200
 _LARGEST_SWING = 0.5
 _CLEARLY = 0.95
 LENGTH_TOLERANCE = 1e-8
@@ -210,11 +211,16 @@ def _swung(
     """Find the size of the swings that meets the length: bracket it, then regula falsi (Illinois)."""
     project = Projection(swings.feasible_set)
     close = LENGTH_TOLERANCE * target
-    descent = DescentSettings(_SWING_TOLERANCE, settings.max_iterations)
+    unlimited = objective.start(turn)
+    descent = DescentSettings(_SWING_TOLERANCE, min(settings.max_iterations, _STEPS_A_SIZE))
     last: Descent | None = None
 
-    def of_size(size: float, start: FloatArray) -> Generator[Iterate, None, Descent]:
-        objective.size = size
+    def of_size(size: float) -> Generator[Iterate, None, Descent]:
+        before, objective.size = objective.size, size
+        starts = [project(size * unlimited)]
+        if last is not None:
+            starts.append(project(size / before * last.v))
+        start = min(starts, key=lambda v: objective(v)[0])
         return (
             yield from report(problem, "length", descend(objective, start, project, descent), swings.gradients, tally)
         )
@@ -222,19 +228,18 @@ def _swung(
     lower, lower_excess = 0.0, _excess(problem, swings, np.zeros_like(turn), target)
     # To second order a swing of root mean square r lengthens the line by r²/2.
     upper = math.sqrt(2 * max(-lower_excess, 0.0) / float(problem.piece_lengths.sum()))
-    start = upper * turn
     while True:
-        last = yield from of_size(upper, start)
+        last = yield from of_size(upper)
         upper_excess = _excess(problem, swings, last.v, target)
         if upper_excess >= -close or upper > _LARGEST_SWING:
             break
-        lower, lower_excess, start, upper = upper, upper_excess, 1.3 * last.v, 1.3 * upper
+        lower, lower_excess, upper = upper, upper_excess, 1.3 * upper
     side = 0
     for _ in range(_ROUNDS_OF_LENGTH):
         if abs(upper_excess) <= close or upper_excess < 0:
             break
         middle = upper - upper_excess * (upper - lower) / (upper_excess - lower_excess)
-        last = yield from of_size(middle, last.v * (middle / objective.size))
+        last = yield from of_size(middle)
         excess = _excess(problem, swings, last.v, target)
         if abs(excess) <= close:
             break
