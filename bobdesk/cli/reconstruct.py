@@ -29,9 +29,8 @@ from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
 from bobdesk.solve.iterates import Method
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.run import SolverSettings, solve
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.run import solve
+from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.cli.options import FILE, plan_argument, plan_options, segment_options
 from bobdesk.cli.steps import check_outputs, fitted_plan
 from bobdesk.files.atomic import write_atomic

@@ -13,8 +13,10 @@ from typing import Any, TypeVar
 
 import click
 
-from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.centreline import Centreline, fit_centreline
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments
 from bobdesk.cli.project_plan import line_of_project
 from bobdesk.errors import InputError

@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
-from bobdesk.alignment.centreline import FitSettings
-from bobdesk.alignment.segmentation import SegmentationSettings
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment, Segments, check_segments
 from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
@@ -18,8 +18,8 @@ from bobdesk.files.npy import npy_table
 from bobdesk.files.project_encoding import PICTURE
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, polyline_from_points
-from bobdesk.plan.trace import Trace
 from bobdesk.plan.trace_vertices import checked_vertices
+from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import (
     ActualTrack,
@@ -39,9 +39,7 @@ from bobdesk.project.runs import (
     Run,
     RunInputs,
 )
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.run import SolverSettings
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.track.figures import Figures
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.project.project import Project, SourceLine
 from bobdesk.project.runs import InputsDigest
 

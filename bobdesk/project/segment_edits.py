@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from bobdesk.alignment import segments as alignment
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments, check_segments
 from bobdesk.errors import InputError
 from bobdesk.project import derive
@@ -50,6 +50,8 @@ def detect_again(project: Project) -> Project:
     previous = _segments(project)
     if not any(segment.locked for segment in previous):
         return use_automatic_segments(project)
+    from bobdesk.alignment.segmentation import detect_segments  # here, for it needs scipy
+
     line = derive.centreline(project).needed()
     return replace(project, segments=detect_segments(line, project.segmentation, previous=previous))
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from bobdesk.arrays import FloatArray
-from bobdesk.solve.profile import Profile
+
+if TYPE_CHECKING:
+    from bobdesk.solve.profile import Profile
 
 Method = Literal["pgd", "published", "lbfgsb", "slsqp", "de"]
 

@@ -7,15 +7,13 @@ from collections.abc import Callable
 import numpy as np
 from hypothesis import strategies as st
 
-from bobdesk.alignment.segmentation import SegmentationSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project import edits
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine, TargetSet
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.run import SolverSettings
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
 from tests.project.made_projects import bends, full_project, traced
 

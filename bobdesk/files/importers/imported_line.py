@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
 
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
@@ -78,5 +77,7 @@ def imported_line(
 
 def crosses_itself(polyline: Polyline) -> bool:
     """Return whether the line crosses or touches itself; lines of over 200,000 vertices are not looked at."""
+    import shapely  # here, for the table of formats is shown before it is loaded
+
     vertices = polyline.vertices
     return len(vertices) <= _MOST_LOOKED_AT_FOR_CROSSINGS and not bool(shapely.LineString(vertices).is_simple)

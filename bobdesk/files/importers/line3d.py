@@ -11,7 +11,8 @@ from scipy.interpolate import CubicSpline
 
 from bobdesk.alignment.centreline import fit_centreline
 from bobdesk.alignment.curvature import plane_curvature
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment, Segments
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError

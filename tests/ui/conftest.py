@@ -1,0 +1,77 @@
+"""Each test of the window has settings and data folders of its own, and leaves no thread, timer or window behind."""
+
+from __future__ import annotations
+
+import gc
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QTimer
+from PySide6.QtWidgets import QApplication
+
+from bobdesk.ui.theme import apply_theme
+
+
+@pytest.fixture(autouse=True)
+def own_folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Settings, recovery copies and locks lie below the test's own folder."""
+    home = tmp_path / "home"
+    home.mkdir()
+    for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "APPDATA", "LOCALAPPDATA"):
+        monkeypatch.setenv(name, str(home))
+    return home
+
+
+@pytest.fixture(autouse=True)
+def english(qapp: QApplication) -> Iterator[None]:
+    """Numbers as in English, whatever the machine's language; the light palette."""
+    before = QLocale()
+    QLocale.setDefault(QLocale(QLocale.Language.English, QLocale.Country.UnitedKingdom))
+    apply_theme(qapp, "light")
+    yield
+    QLocale.setDefault(before)
+
+
+@pytest.fixture(autouse=True)
+def nothing_left(qapp: QApplication) -> Iterator[None]:
+    """Fail a test that leaves a thread, a running timer or a window behind."""
+    threads = set(threading.enumerate())
+    windows = set(QApplication.topLevelWidgets())
+    yield
+    _settle()
+    gc.collect()
+    _settle()
+    left = [
+        thread.name
+        for thread in threading.enumerate()
+        if thread not in threads and thread.is_alive() and not thread.name.startswith("ThreadPoolExecutor")
+    ]
+    assert not left, f"threads left behind: {left}"
+    shown = [window for window in QApplication.topLevelWidgets() if window not in windows and window.isVisible()]
+    assert not shown, f"windows left behind: {shown}"
+    running = [
+        timer
+        for window in QApplication.topLevelWidgets()
+        if window not in windows
+        for timer in window.findChildren(QTimer)
+        if timer.isActive()
+    ]
+    assert not running, f"timers left behind: {[timer.parent() for timer in running]}"
+
+
+@pytest.fixture
+def until(qtbot: object) -> Callable[[Callable[[], bool]], None]:
+    """Return a function that lets the window work until something is true, or fails after ten seconds."""
+
+    def wait(true: Callable[[], bool]) -> None:
+        qtbot.waitUntil(true, timeout=10_000)  # type: ignore[attr-defined]
+
+    return wait
+
+
+def _settle() -> None:
+    for _ in range(3):
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QCoreApplication.processEvents()
