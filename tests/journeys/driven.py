@@ -59,7 +59,7 @@ class Answers(QObject):
                     "plan": self.plan,
                     "texts": self.texts,
                 }
-                answer = {"is": eval(question, names)}  # noqa: S307 - the tests' own questions
+                answer = {"is": eval(question, names)}
             except Exception:  # noqa: BLE001
                 answer = {"failed": traceback.format_exc()}
             connection.write(json.dumps(answer, default=str).encode() + b"\n")

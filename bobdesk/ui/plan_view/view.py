@@ -141,7 +141,7 @@ class PlanView(Canvas):
         """Return whether a layer is switched on."""
         return self.layers.is_shown(layer)
 
-    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802 - Qt's name
+    def showEvent(self, event: QShowEvent) -> None:
         """Show the whole plan the first time."""
         super().showEvent(event)
         self._fit_once()
