@@ -78,11 +78,11 @@ class EditActions(QObject):
         )
 
     def undo(self) -> None:
-        """Take back a click in mid-work, else the last step."""
+        """Take back what is being typed, or a click in mid-work, else the last step."""
         typed = _text_field()
-        if (isinstance(typed, QLineEdit) and typed.isUndoAvailable()) or (
-            isinstance(typed, (QPlainTextEdit, QTextEdit)) and typed.document().isUndoAvailable()
-        ):
+        if isinstance(typed, QLineEdit) and typed.isUndoAvailable():
+            typed.undo()
+        elif typed is not None and not isinstance(typed, QLineEdit) and typed.document().isUndoAvailable():
             typed.undo()
         elif not self._take_back():
             self._session.undo()
