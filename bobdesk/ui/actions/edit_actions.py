@@ -79,12 +79,7 @@ class EditActions(QObject):
 
     def undo(self) -> None:
         """Take back what is being typed, or a click in mid-work, else the last step."""
-        typed = _text_field()
-        if isinstance(typed, QLineEdit) and typed.isUndoAvailable():
-            typed.undo()
-        elif typed is not None and not isinstance(typed, QLineEdit) and typed.document().isUndoAvailable():
-            typed.undo()
-        elif not self._take_back():
+        if not (_undo_typing() or self._take_back()):
             self._session.undo()
 
     def redo(self) -> None:
@@ -105,3 +100,13 @@ def _text_field() -> QLineEdit | QPlainTextEdit | QTextEdit | None:
     if isinstance(focus, (QLineEdit, QPlainTextEdit, QTextEdit)) and not focus.isReadOnly():
         return focus
     return None
+
+
+def _undo_typing() -> bool:
+    typed = _text_field()
+    if typed is None:
+        return False
+    can = typed.isUndoAvailable() if isinstance(typed, QLineEdit) else typed.document().isUndoAvailable()
+    if can:
+        typed.undo()
+    return can

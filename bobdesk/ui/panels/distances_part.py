@@ -133,12 +133,12 @@ class DistancesPart(Part):
                 is_number=False,
             ),
             Column(
-                lambda: f"{self.tr('Plan')} {unit.length_unit}",
+                lambda: self.tr("Plan {unit}").format(unit=unit.length_unit),
                 self.tr("What the plan gives in the scale in force"),
                 lambda row: unit.length(self._plan_m(row), 2, unit=False),
             ),
             Column(
-                lambda: f"{self.tr('Known')} {unit.length_unit}",
+                lambda: self.tr("Known {unit}").format(unit=unit.length_unit),
                 self.tr("Known distance, measured horizontally"),
                 lambda row: unit.length(self._items[row].length_m, 2, unit=False),
                 lambda row: number_to_edit(self._items[row].length_m * unit.length_factor),

@@ -48,20 +48,20 @@ class NumberField(QLineEdit):
             self.setText(number_to_edit(value, digits))
             self.setModified(False)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Bring the old number back with Esc."""
         if event.key() == Qt.Key.Key_Escape and self.isModified():
             self._restore()
             return
         super().keyPressEvent(event)
 
-    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802
+    def focusInEvent(self, event: QFocusEvent) -> None:
         """Select all, to be typed over."""
         super().focusInEvent(event)
         if event.reason() != Qt.FocusReason.MouseFocusReason:
             self.selectAll()
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Follow the signs of another country."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.LocaleChange:

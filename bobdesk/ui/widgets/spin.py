@@ -34,7 +34,7 @@ class Spin(QDoubleSpinBox):
         with QSignalBlocker(self):
             self.setRange(lowest, highest)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
+    def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn only while the box has the focus; else the panel scrolls."""
         if self.hasFocus():
             super().wheelEvent(event)
@@ -62,7 +62,7 @@ class WholeSpin(QSpinBox):
         with QSignalBlocker(self):
             self.setValue(value)
 
-    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
+    def wheelEvent(self, event: QWheelEvent) -> None:
         """Turn only while the box has the focus; else the panel scrolls."""
         if self.hasFocus():
             super().wheelEvent(event)

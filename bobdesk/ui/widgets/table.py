@@ -63,11 +63,11 @@ class Table(QTableView):
             width = max(metrics.horizontalAdvance(sample), round(1.15 * head.horizontalAdvance(heading))) + space
             self.setColumnWidth(column, width)
 
-    def sizeHint(self) -> QSize:  # noqa: N802
+    def sizeHint(self) -> QSize:
         """Be as high as the rows."""
         return QSize(200, self._height(self.model().rowCount()))
 
-    def minimumSizeHint(self) -> QSize:  # noqa: N802
+    def minimumSizeHint(self) -> QSize:
         """Never be higher than the panel needs."""
         return QSize(80, self._height(self._fewest))
 
