@@ -61,15 +61,27 @@ def check_segments(segments: Sequence[Segment], *, length: float) -> Segments:
     for number, segment in enumerate(segments, 1):
         if segment.kind not in ("straight", "curve"):
             raise InputError(f"segment {number} is of the kind '{segment.kind}'; it must be straight or curve")
-        if abs(segment.start - expected) > _SAME_STATION:
+        if not abs(segment.start - expected) <= _SAME_STATION:
             fault = "overlaps the one before" if segment.start < expected else "leaves a gap to the one before"
             raise InputError(f"segment {number} {fault}: it begins at {segment.start:g} m, not {expected:g} m")
         if not segment.end > segment.start:
             raise InputError(f"segment {number} ends at {segment.end:g} m, before it begins at {segment.start:g} m")
         expected = segment.end
-    if abs(expected - length) > max(_SAME_STATION, 1e-9 * length):
+    if not abs(expected - length) <= max(_SAME_STATION, 1e-9 * length):
         raise InputError(f"the segments end at {expected:.3f} m, but the line is {length:.3f} m long")
     return tuple(segments)
+
+
+def stretched(segments: Segments, length: float) -> Segments:
+    """Return the segments brought in proportion to a line of `length`, m."""
+    factor = length / segments[-1].end
+    if factor == 1.0:
+        return segments
+    edges = [0.0, *(factor * segment.end for segment in segments[:-1]), length]
+    return tuple(
+        replace(segment, start=start, end=end)
+        for segment, start, end in zip(segments, edges[:-1], edges[1:], strict=True)
+    )
 
 
 def segment_at(segments: Segments, station: float) -> int:

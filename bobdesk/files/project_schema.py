@@ -175,7 +175,7 @@ class WeightsEntry(_Strict):
 class SolverEntry(_Strict):
     """A SolverSettings."""
 
-    method: Literal["pgd", "published", "lbfgsb", "slsqp", "de"]
+    method: str
     pgd: PgdEntry
     weights: WeightsEntry
     rate: float | None

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
 import PySide6
-from PySide6.QtCore import QLibraryInfo, QLocale, QTimer, QTranslator
+from PySide6.QtCore import QEvent, QLibraryInfo, QLocale, QTimer, QTranslator
 from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import QApplication
 
@@ -59,13 +60,13 @@ def start(path: Path | None) -> int:
     window = MainWindow(settings, user_data_folder())
     window.show()
     if path is not None:
-        QTimer.singleShot(0, window, lambda: window.open_file(path))
+        QTimer.singleShot(0, window, partial(window.open_file, path))
     QTimer.singleShot(0, window, window.warm_up)
     status = application.exec()
     settings.write()
-    # The window before the application, or Qt's own objects end in the wrong order.
+    # The window goes before the application, or Qt's own objects end in the wrong order.
     window.deleteLater()
-    del window
+    application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     return status
 
 

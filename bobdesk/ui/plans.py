@@ -161,7 +161,9 @@ class Plans(QObject):
         def done(found: _Read) -> None:
             self._desk.picture.keep(found.picture, found.decoded)
             self._place(
-                self.tr("Open {name}").format(name=name), lambda project: edits.open_picture(project, found.picture), name
+                self.tr("Open {name}").format(name=name),
+                lambda project: edits.open_picture(project, found.picture),
+                name,
             )
             for note in found.decoded.image.notes:
                 self._desk.notices.note(note)
@@ -205,9 +207,7 @@ class Plans(QObject):
         formats = import_formats().formats
         patterns = " ".join(f"*{suffix}" for known in formats for suffix in known.extensions)
         each = [f"{known.title} ({' '.join(f'*{suffix}' for suffix in known.extensions)})" for known in formats]
-        return ";;".join(
-            [self.tr("Coordinates") + f" ({patterns})", *each, self.tr("All files") + " (*)"]
-        )
+        return ";;".join([self.tr("Coordinates") + f" ({patterns})", *each, self.tr("All files") + " (*)"])
 
 
 def local_paths(mime: QMimeData) -> list[Path]:

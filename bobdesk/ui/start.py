@@ -15,7 +15,7 @@ from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
 from bobdesk.ui.plans import Plans
-from bobdesk.ui.recent import recent_entry_steps
+from bobdesk.ui.recent_entries import recent_entry_steps
 from bobdesk.ui.resources import resource
 from bobdesk.ui.runner import Job
 from bobdesk.ui.start_page import StartPage

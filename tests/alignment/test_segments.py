@@ -193,7 +193,7 @@ def test_detecting_again_leaves_what_was_made_by_hand_and_carries_names_over():
     again = keep_corrections(detected, moved)
     assert spans(again) == spans(moved)
     assert again[2].name == "Final straight"
-    assert keep_corrections(again, again) == again
+    assert keep_corrections(detected, again) == again
 
 
 def test_a_sliver_beside_nothing_free_joins_the_hand_made_one_but_never_a_locked_one():

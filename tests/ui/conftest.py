@@ -8,9 +8,17 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.notices import Notices
+from bobdesk.ui.plan_picture import PlanPicture
+from bobdesk.ui.quantities import Quantities
+from bobdesk.ui.runner import Runner
+from bobdesk.ui.selection import Selection
+from bobdesk.ui.session import Session
+from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import apply_theme
 
 
@@ -75,3 +83,21 @@ def _settle() -> None:
     for _ in range(3):
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         QCoreApplication.processEvents()
+
+
+@pytest.fixture
+def desk(qapp: QApplication, tmp_path: Path) -> Iterator[Desk]:
+    """What the parts of a window share, without a window."""
+    owner = QObject()
+    session, runner, settings = Session(owner), Runner(owner), Settings(tmp_path / "settings.ini", owner)
+    yield Desk(
+        session=session,
+        selection=Selection(owner),
+        picture=PlanPicture(session, runner, owner),
+        runner=runner,
+        notices=Notices(owner),
+        settings=settings,
+        quantities=Quantities(settings, owner),
+    )
+    runner.close()
+    owner.deleteLater()
