@@ -79,18 +79,18 @@ class Canvas(QGraphicsView):
         """Return what is shown now."""
         return self.navigation.frame()
 
-    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # type: ignore[override]  # noqa: N802
+    def drawBackground(self, painter: QPainter, rect: QRectF) -> None:  # type: ignore[override]
         """Fill what no picture covers."""
         painter.fillRect(rect, QColor(colours().canvas))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
+    def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to pan, or hand over to the tool."""
         if self.navigation.press(event):
             self.show_cursor()
         elif event.button() != Qt.MouseButton.RightButton:
             self.tool_in_hand().press(self._taken(event))
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Pan, or hand over to the tool."""
         if self.navigation.move(event):
             self.view_changed.emit()
@@ -99,26 +99,26 @@ class Canvas(QGraphicsView):
             self.tool_in_hand().move(self._taken(event))
         self.pointer_moved.emit(self._taken(event).plan)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """End a pan, or hand over to the tool."""
         if self.navigation.release(event):
             self.show_cursor()
         elif event.button() != Qt.MouseButton.RightButton:
             self.tool_in_hand().release(self._taken(event))
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:  # noqa: N802 - Qt's name
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Hand over to the tool."""
         if not self.navigation.press(event) and event.button() == Qt.MouseButton.LeftButton:
             self.tool_in_hand().double_click(self._taken(event))
 
-    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802 - Qt's name
+    def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the cursor."""
         self.navigation.wheel(event)
         self._taken(event)
         self.view_changed.emit()
         event.accept()
 
-    def viewportEvent(self, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+    def viewportEvent(self, event: QEvent) -> bool:
         """Zoom by a pinch; notice when the mouse leaves."""
         if isinstance(event, QNativeGestureEvent) and self.navigation.native_gesture(event):
             self.view_changed.emit()
@@ -138,7 +138,7 @@ class Canvas(QGraphicsView):
                 return True
         return super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Take Space for panning, Esc, arrows, and what the tool takes."""
         if event.key() == Qt.Key.Key_Space:
             self.navigation.space_is_down = True
@@ -149,25 +149,25 @@ class Canvas(QGraphicsView):
         elif not (self.tool_in_hand().key(event) or self.nudge(event)):
             event.ignore()
 
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
         """Put the hand away with Space."""
         if event.key() == Qt.Key.Key_Space and not event.isAutoRepeat():
             self.navigation.space_is_down = False
             self.show_cursor()
 
-    def focusOutEvent(self, event: QFocusEvent) -> None:  # noqa: N802 - Qt's name
+    def focusOutEvent(self, event: QFocusEvent) -> None:
         """Forget a Space that is released elsewhere."""
         self.navigation.space_is_down = False
         self.show_cursor()
         super().focusOutEvent(event)
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802 - Qt's name
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Show the actions that can be done here."""
         if self.context_menu_maker is not None:
             self.context_menu_maker().popup(event.globalPos())
         event.accept()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+    def resizeEvent(self, event: QResizeEvent) -> None:
         """Go on looking at the same place."""
         super().resizeEvent(event)
         self.navigation.refresh()

@@ -45,7 +45,7 @@ class Layer(QGraphicsObject):
             self.prepareGeometryChange()
             self._bounds = bounds
 
-    def boundingRect(self) -> QRectF:  # noqa: N802 - Qt's name
+    def boundingRect(self) -> QRectF:
         """Return the whole scene: the layer leaves out by itself what is not in view."""
         return self._bounds
 
