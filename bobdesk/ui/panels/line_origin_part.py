@@ -16,7 +16,7 @@ from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 
 # The tracer's sentences name a place as "412,1033".
-_PLACE = re.compile(r"(?<![\d.])(-?\d+),(-?\d+)(?![\d.])")
+_PLACE = re.compile(r"(?<![\d.])(-?\d+),(-?\d+)(?!\d)")
 _NEAR_PX = 25.0
 _MOST_WARNINGS = 6
 

@@ -18,6 +18,7 @@ from bobdesk.ui.derived import centreline_later, line_inputs, same_inputs
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.newest import Newest
 from bobdesk.ui.plots.decimated import decimated
+from bobdesk.ui.plots.locale_axis import locale_axis
 from bobdesk.ui.theme import colours
 
 _DEBOUNCE_MS = 150
@@ -135,7 +136,7 @@ class CurvatureStrip(QWidget):
     def _make_plot(self) -> None:
         import pyqtgraph
 
-        self._plot = pyqtgraph.PlotWidget(self)
+        self._plot = pyqtgraph.PlotWidget(self, axisItems={side: locale_axis(side) for side in ("left", "bottom")})
         self._plot.setMenuEnabled(False)
         self._plot.setMouseEnabled(x=False, y=False)
         self._plot.hideButtons()
