@@ -43,9 +43,6 @@ class ControlPointsPart(Part):
         )
         self.table = Table(self.tr("Control points"), self.model, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
-        self.table.fit_columns(
-            ("☑☑", "12", "8888.8", "8888.8", "−88888.88", "−88888.88", "88.8", "8.88", "−8.88", "−8.88")
-        )
         self.column.addWidget(self.table)
         self.hint = panel.add_label(self.tr("No control points yet."), "muted", self.column)
         flow = panel.add_buttons(self.column)

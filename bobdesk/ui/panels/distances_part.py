@@ -64,8 +64,6 @@ class DistancesPart(Part):
         )
         self.table = Table(kind.heading, self.model, fewest_rows=1, most_rows=5, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
-        samples = ("start house – bridge", "8888.88", "8888.88", "−88.88", "8888.8 / 8888.8", "8888.8 / 8888.8")
-        self.table.fit_columns(("☑☑", *samples) if kind.can_be_off else samples)
         self.column.addWidget(self.table)
         self.hint = panel.add_label(kind.empty, "muted", self.column)
         flow = panel.add_buttons(self.column)

@@ -55,7 +55,9 @@ class ScaleWayPart(Part):
         self._form.setRowVisible(self.one_to, has_picture and way == "drawing scale")
         self.number.show_value(project.calibration.metres_per_pixel, digits=8)
         self.one_to.show_value(project.calibration.one_to)
-        self.sentence.setText(self._sentence(project, found))
+        sentence = self._sentence(project, found)
+        self.sentence.setText(sentence)
+        self.sentence.setVisible(bool(sentence))
 
     def _ways(self, project: Project) -> list[tuple[CalibrationWay, str]]:
         if project.source is not None:

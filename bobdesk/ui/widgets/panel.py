@@ -109,7 +109,10 @@ class Panel(QScrollArea):
         value.setTextFormat(Qt.TextFormat.PlainText)
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         value.setAccessibleName(text)
-        value.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        # A new policy would forget that wrapped text is higher where it is narrower.
+        policy = value.sizePolicy()
+        policy.setHorizontalPolicy(QSizePolicy.Policy.Expanding)
+        value.setSizePolicy(policy)
         label = QLabel(text, self._body)
         label.setProperty("kind", "muted")
         form.addRow(label, value)
