@@ -26,6 +26,59 @@ def test_the_group_of_commands_loads_nothing_heavy(heavy):
     assert done.returncode == 0, done.stderr
 
 
+# What the window needs before it is painted for the first time; scipy alone takes longer than that may.
+BEFORE_THE_FIRST_PAINT = [
+    "bobdesk.project.project",
+    "bobdesk.project.edits",
+    "bobdesk.project.history",
+    "bobdesk.project.steps",
+    "bobdesk.project.derive",
+    "bobdesk.project.derive_runs",
+    "bobdesk.files.project_file",
+    "bobdesk.files.recovery",
+    "bobdesk.files.instance_lock",
+    "bobdesk.files.importers.formats",
+    "bobdesk.files.importers.preview",
+    "bobdesk.files.exporters.formats",
+    "bobdesk.files.pictures",
+    "bobdesk.plan.image",
+    "bobdesk.plan.calibration",
+    "bobdesk.plan.calibration_fit",
+    "bobdesk.plan.calibration_sentences",
+    "bobdesk.plan.traced_line",
+    "bobdesk.plan.trace_vertices",
+    "bobdesk.alignment.fit_settings",
+    "bobdesk.alignment.segmentation_settings",
+    "bobdesk.solve.settings",
+]
+
+
+@pytest.mark.parametrize("module", BEFORE_THE_FIRST_PAINT)
+def test_a_project_and_the_tables_of_formats_load_neither_scipy_nor_shapely(module):
+    done = python("-c", f"import sys, {module}; sys.exit(not {{'scipy', 'shapely'}}.isdisjoint(sys.modules))")
+    assert done.returncode == 0, done.stderr
+
+
+def test_an_empty_project_is_shown_without_scipy():
+    code = """
+import sys
+from bobdesk.files.exporters.formats import export_formats
+from bobdesk.files.importers.formats import import_formats
+from bobdesk.project import derive, edits
+from bobdesk.project.project import Project
+from bobdesk.project.steps import steps
+
+project = edits.set_length(Project(), 1300.0)
+assert import_formats().formats
+assert export_formats().formats
+assert len(steps(project)) == 6
+assert derive.run_inputs(project).value is None
+sys.exit(not {'scipy', 'shapely'}.isdisjoint(sys.modules))
+"""
+    done = python("-c", code)
+    assert done.returncode == 0, done.stderr
+
+
 def test_no_command_but_a_picture_loads_qt():
     modules = "segment, check, reconstruct, compare".replace(", ", ", bobdesk.cli.")
     code = f"import sys, bobdesk.cli.{modules}; sys.exit('PySide6' in sys.modules or 'pyqtgraph' in sys.modules)"

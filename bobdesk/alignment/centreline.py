@@ -8,37 +8,16 @@ from functools import lru_cache
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from bobdesk.alignment.fit_settings import LARGEST_SPACING, SMALLEST_SPACING, FitSettings
 from bobdesk.alignment.whittaker import whittaker
 from bobdesk.arrays import FloatArray, frozen
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline, edge_lengths
 
-SMALLEST_SPACING = 0.1
-LARGEST_SPACING = 10.0
 MOST_STATIONS = 1_000_000
 FEWEST_STATIONS = 8
-WAVELENGTH_OF_TRACES = 15.0
-WAVELENGTH_OF_CLICKS = 20.0
 _FINEST_STEPS_A_STATION = 1.0
 _STEEPEST_GRADING = 3.0
-
-
-@dataclass(frozen=True)
-class FitSettings:
-    """How the curve is fitted.
-
-    Attributes
-    ----------
-    spacing
-        Distance between stations, m, 0.1 to 10. What is coarser than 1 m cuts tight curves short:
-        10 m by up to 2 % in a curve of 15 m radius, 1 m by 0.02 %.
-    wavelength
-        Half-power wavelength of the smoothing, m: waves that are shorter are taken for noise.
-        15 m suits traces and surveyed points, 20 m clicks by hand, 0 goes through every vertex.
-    """
-
-    spacing: float = 1.0
-    wavelength: float = WAVELENGTH_OF_TRACES
 
 
 @dataclass(frozen=True, eq=False)

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Literal
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.l1_trend import l1_curvature
+from bobdesk.alignment.segmentation_settings import CurvatureMethod
 from bobdesk.arrays import FloatArray
-
-CurvatureMethod = Literal["fitted", "l1", "published"]
 
 
 @lru_cache(maxsize=16)

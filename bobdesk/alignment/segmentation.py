@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
-from typing import Literal
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d
 
 from bobdesk.alignment.boundary_fit import fit_boundaries
 from bobdesk.alignment.centreline import Centreline
-from bobdesk.alignment.curvature import CurvatureMethod, curvature
+from bobdesk.alignment.curvature import curvature
 from bobdesk.alignment.labels import (
     Blocks,
     best_labels,
@@ -20,11 +18,11 @@ from bobdesk.alignment.labels import (
     gain_by_count,
     otsu_threshold,
 )
-from bobdesk.alignment.segments import Segment, Segments, keep_locked
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
+from bobdesk.alignment.segments import Segment, Segments, is_kept, keep_corrections
 from bobdesk.arrays import FloatArray, IntArray
 from bobdesk.errors import InputError
 
-Rule = Literal["recommended", "published"]
 USUAL_THRESHOLD = 0.004
 _LOWEST_THRESHOLD, _HIGHEST_THRESHOLD = 0.0025, 0.008
 _STRAIGHT_BEYOND_DOUBT = 1e-4
@@ -32,41 +30,10 @@ _PUBLISHED_NEIGHBOURS = 2
 _UNSURE_AT_ENDS = 7.5
 
 
-@dataclass(frozen=True)
-class SegmentationSettings:
-    """How straights and curves are told apart.
-
-    Attributes
-    ----------
-    threshold
-        Curvature above which a place counts as curved, 1/m; None finds it from the curvature
-        (Otsu's rule on its logarithm, between 0.0025 and 0.008).
-    count
-        Wanted number of segments; None lets the cost of a change decide. A left and a right curve
-        without a straight between them count as two.
-    change_cost
-        What a change between left, straight and right must gain, m; larger means fewer segments.
-    shortest
-        Shortest segment, m; ignored where a number of segments is wanted.
-    rule
-        "recommended", or "published": curvature by finite differences, below the threshold
-        together with its neighbours.
-    curvature
-        Which curvature the recommended rule looks at.
-    """
-
-    threshold: float | None = None
-    count: int | None = None
-    change_cost: float = 4.0
-    shortest: float = 3.0
-    rule: Rule = "recommended"
-    curvature: CurvatureMethod = "fitted"
-
-
 def detect_segments(
     centreline: Centreline, settings: SegmentationSettings | None = None, *, previous: Segments = ()
 ) -> Segments:
-    """Find the straights and curves; locked segments of `previous` stay as they are.
+    """Find the straights and curves; locked and hand-made segments of `previous` stay as they are.
 
     Raises
     ------
@@ -76,9 +43,9 @@ def detect_segments(
     settings = settings or SegmentationSettings()
     _check(settings)
     detected = _detected(centreline, settings)
-    if not any(segment.locked for segment in previous):
+    if not any(is_kept(segment) or segment.name for segment in previous):
         return detected
-    return keep_locked(detected, previous, shortest=settings.shortest)
+    return keep_corrections(detected, previous, shortest=settings.shortest)
 
 
 def threshold_of(centreline: Centreline, settings: SegmentationSettings) -> float:

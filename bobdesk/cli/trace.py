@@ -24,7 +24,8 @@ from bobdesk.plan.calibration_fit import fit_calibration
 from bobdesk.plan.calibration_sentences import calibration_sentences
 from bobdesk.plan.image import PlanImage
 from bobdesk.plan.qgis_points import parse_qgis_points
-from bobdesk.plan.trace import Trace, TraceSettings, propose_loops, trace_line
+from bobdesk.plan.trace import TraceSettings, propose_loops, trace_line
+from bobdesk.plan.traced_line import Trace
 
 # An end of the line is clicked to about this, 1 sigma, pixels.
 _END_SIGMA_PX = 1.0

@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
-from bobdesk.alignment.centreline import FitSettings
-from bobdesk.alignment.segmentation import SegmentationSettings
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment, Segments, check_segments
 from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
@@ -18,8 +18,9 @@ from bobdesk.files.npy import npy_table
 from bobdesk.files.project_encoding import PICTURE
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, polyline_from_points
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.projection import LARGEST_LATITUDE
 from bobdesk.plan.trace_vertices import checked_vertices
+from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import (
     ActualTrack,
@@ -39,9 +40,7 @@ from bobdesk.project.runs import (
     Run,
     RunInputs,
 )
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.run import SolverSettings
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.track.figures import Figures
 
@@ -170,6 +169,10 @@ def _source(found: schema.SourceEntry) -> SourceLine:
     line, kept = polyline_from_points(points)
     if len(kept) < len(points):
         raise ValueError("the plan has points twice")
+    place = (found.longitude, found.latitude)
+    known = [number for number in place if number is not None]
+    if len(known) == 1 or (known and not (abs(known[0]) <= 360 and abs(known[1]) <= LARGEST_LATITUDE)):
+        raise ValueError("the place of the plan on the Earth makes no sense")
     return SourceLine(found.name, line, found.longitude, found.latitude)
 
 

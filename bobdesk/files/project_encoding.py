@@ -18,10 +18,10 @@ from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
 from bobdesk.files.npy import npy_bytes
 from bobdesk.plan.polyline import Polyline
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine
 from bobdesk.project.runs import Run, RunInputs
-from bobdesk.solve.run import SolverSettings
+from bobdesk.solve.settings import SolverSettings
 
 Entry = TypeVar("Entry", bound=msgspec.Struct)
 PICTURE = "picture"

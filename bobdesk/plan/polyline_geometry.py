@@ -1,13 +1,13 @@
-"""Questions about polylines (n, 2): lengths, normals, nearest points, crossings, offsets, smoothing."""
+"""Questions about polylines (n, 2): lengths, normals, nearest points, crossings, offsets, smoothing.
+
+scipy and shapely are imported where they are called: a project is shown before they are loaded.
+"""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-import shapely
-from scipy import ndimage
-from scipy.linalg import solveh_banded
 
 from bobdesk.arrays import FloatArray, IntArray
 
@@ -49,6 +49,8 @@ def normals(points: FloatArray) -> FloatArray:
 
 def gaussian_smoothed(points: FloatArray, *, sigma: float) -> FloatArray:
     """Smooth equally spaced points with a Gaussian of `sigma` points; the ends stay where they are."""
+    from scipy import ndimage
+
     reach = min(int(4 * sigma) + 1, len(points) - 1)
     if reach < 1:
         return points
@@ -69,6 +71,8 @@ def whittaker_smoothed(values: FloatArray, *, weights: FloatArray, wavelength: f
     ----------
     P. H. C. Eilers, A perfect smoother, Analytical Chemistry 75 (2003).
     """
+    from scipy.linalg import solveh_banded
+
     count = len(values)
     if count < 5:
         return values
@@ -96,6 +100,8 @@ def extended(points: FloatArray, *, length: float, step: float) -> FloatArray:
 
 def nearest_station(points: FloatArray, *, position: FloatArray) -> float:
     """Return the distance along the polyline of its point nearest to `position` (2,)."""
+    import shapely
+
     return float(shapely.LineString(points).project(shapely.Point(position[0], position[1])))
 
 
@@ -118,6 +124,8 @@ def self_crossings(points: FloatArray) -> tuple[Crossing, ...]:
 
     Every pair of edges that are not neighbours is looked at through a tree: n log n for tracks.
     """
+    import shapely
+
     edges = shapely.linestrings(np.stack([points[:-1], points[1:]], axis=1))
     first, second = shapely.STRtree(edges).query(edges, predicate="intersects")
     apart = second > first + 1
@@ -139,6 +147,8 @@ def self_crossings(points: FloatArray) -> tuple[Crossing, ...]:
 
 def offset_line(points: FloatArray, *, distance: float) -> FloatArray:
     """Return the polyline shifted by `distance` along its normals (see `normals`), loops cut out."""
+    import shapely
+
     # shapely's positive side is to the left with y up; our normal (-dy, dx) is that same side.
     line = shapely.LineString(points).offset_curve(distance, quad_segs=16, join_style="round")
     if line.geom_type == "MultiLineString":
@@ -148,6 +158,8 @@ def offset_line(points: FloatArray, *, distance: float) -> FloatArray:
 
 def simplified(points: FloatArray, *, tolerance: float) -> FloatArray:
     """Return fewer vertices, none of the old ones further than `tolerance` from the new line."""
+    import shapely
+
     return np.asarray(shapely.LineString(points).simplify(tolerance).coords, dtype=np.float64)
 
 

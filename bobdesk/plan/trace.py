@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from bobdesk.arrays import FloatArray, IntArray, frozen
+from bobdesk.arrays import FloatArray, frozen
 from bobdesk.plan.clicks import checked_clicks, ends_at_clicks, snapped
 from bobdesk.plan.double_edge import centred
 from bobdesk.plan.doubts import (
@@ -27,10 +26,10 @@ from bobdesk.plan.refine import Refined, refined
 from bobdesk.plan.ridge import ridge_along
 from bobdesk.plan.rough_way import Line, RoughWay, rough_way
 from bobdesk.plan.stages import stage
+from bobdesk.plan.traced_line import Kind, Trace
 from bobdesk.plan.work_copy import WorkCopy, work_copy
 from bobdesk.progress import Progress
 
-Kind = Literal["single", "double", "dashed"]
 # A point without a fit is sure while a good one is nearer than half of this, pixels of the copy.
 _SURE = 30.0
 _SHORTEST_DOUBT = 10.0
@@ -65,39 +64,6 @@ class TraceSettings:
     line: Line = "auto"
     step_px: float = 2.0
     known_length_px: float | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Trace:
-    """A line in a picture.
-
-    Attributes
-    ----------
-    points
-        (n, 2) x, y in picture pixels from the top left pixel's centre, y down, read-only.
-    confidence
-        (n,) from 0 (guessed) to 1 (the picture says so).
-    line_width_px
-        Width of the drawn line over all, pixels.
-    kind
-        One stroke, two edges, or dashes.
-    warnings
-        One sentence each, for a person.
-    suspect
-        (k, 2) first and last index of the points to look at.
-    """
-
-    points: FloatArray
-    confidence: FloatArray
-    line_width_px: float
-    kind: Kind
-    warnings: tuple[str, ...]
-    suspect: IntArray
-
-    @property
-    def length_px(self) -> float:
-        """Length of the trace in pixels."""
-        return float(arc_lengths(self.points)[-1])
 
 
 def trace_line(

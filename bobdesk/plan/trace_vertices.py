@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from bobdesk.arrays import FloatArray, IntArray, frozen
 from bobdesk.errors import InputError
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 
 _FEWEST = 2
 _LARGEST_PX = 1e6

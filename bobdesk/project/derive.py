@@ -1,24 +1,22 @@
 """What follows from a project: everything shown before a run. Pure, and remembered by identity.
 
 Each function takes the project and hands the few values it needs to a remembered one below, so that
-renaming a run never fits a centreline again.
+renaming a run never fits a centreline again. Whatever needs scipy is imported where it is called: the
+window shows a project before that is loaded.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 import numpy as np
 
-from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
-from bobdesk.alignment.curvature import curvature as curvature_of
-from bobdesk.alignment.segment_figures import SegmentFigures
-from bobdesk.alignment.segment_figures import segment_figures as figures_of_segment
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
-from bobdesk.alignment.segments import Segments
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
+from bobdesk.alignment.segments import Segment, Segments, stretched
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError, TargetError
 from bobdesk.plan.calibration import (
@@ -34,12 +32,17 @@ from bobdesk.plan.calibration_fit import CalibrationFit, fit_calibration
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, edge_lengths, polyline_from_points
 from bobdesk.plan.polyline_geometry import arc_lengths, part_between
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.projection import Georeference
+from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import CalibrationChoice, Extent, Project, SourceLine
 from bobdesk.project.runs import RunInputs
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.targets import KnownElevation, Targets, check_targets, in_scale
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
+    from bobdesk.alignment.segment_figures import SegmentFigures
 
 Value = TypeVar("Value")
 _LONGEST_MITRE = 3.0
@@ -110,6 +113,18 @@ def polyline(project: Project) -> Derived[Polyline]:
     return _polyline(project.trace, found.value, project.extent)
 
 
+def georeference(project: Project) -> Georeference | None:
+    """Return where the polyline's origin lies on the Earth, or None if nothing says so.
+
+    World files and GeoTIFF tags give metres in a grid that BobDesk does not know, so a picture has none;
+    nor has a plan of unknown scale, whose metres are not metres on the ground.
+    """
+    source = project.source
+    if source is None or source.longitude is None or source.latitude is None or not scale_is_known(project):
+        return None
+    return Georeference(source.longitude, source.latitude)
+
+
 def plan_factor(project: Project) -> float:
     """Return the factor that brings a plan of unknown scale near true size; 1 where the scale is known."""
     chosen = project.targets
@@ -139,6 +154,8 @@ def centreline(project: Project) -> Derived[Centreline]:
 
 def curvature(project: Project) -> FloatArray | None:
     """Return the curvature at every station of the centreline, (n,), 1/m, left positive."""
+    from bobdesk.alignment.curvature import curvature as curvature_of
+
     found = centreline(project).value
     return None if found is None else curvature_of(found)
 
@@ -297,6 +314,8 @@ def _multiplied(line: Polyline, factor: float) -> Polyline:
 
 @lru_cache(maxsize=8)
 def _centreline(line: Polyline, fit: FitSettings) -> Derived[Centreline]:
+    from bobdesk.alignment.centreline import fit_centreline
+
     try:
         return Derived(fit_centreline(line, fit))
     except InputError as error:
@@ -305,6 +324,8 @@ def _centreline(line: Polyline, fit: FitSettings) -> Derived[Centreline]:
 
 @lru_cache(maxsize=8)
 def _detected(line: Centreline, settings: SegmentationSettings) -> Derived[Segments]:
+    from bobdesk.alignment.segmentation import detect_segments
+
     try:
         return Derived(detect_segments(line, settings))
     except InputError as error:
@@ -313,18 +334,17 @@ def _detected(line: Centreline, settings: SegmentationSettings) -> Derived[Segme
 
 @lru_cache(maxsize=8)
 def _stretched(stored: Segments, length: float) -> Derived[Segments]:
-    factor = length / stored[-1].end
-    if factor == 1.0:
-        return Derived(stored)
-    edges = [0.0, *(factor * segment.end for segment in stored[:-1]), length]
-    return Derived(
-        tuple(
-            replace(segment, start=start, end=end)
-            for segment, start, end in zip(stored, edges[:-1], edges[1:], strict=True)
-        )
-    )
+    return Derived(stretched(stored, length))
 
 
 @lru_cache(maxsize=8)
 def _segment_figures(line: Centreline, found: Segments) -> tuple[SegmentFigures, ...]:
-    return tuple(figures_of_segment(line, segment) for segment in found)
+    return tuple(figures_of_one(line, segment) for segment in found)
+
+
+@lru_cache(maxsize=4096)
+def figures_of_one(line: Centreline, segment: Segment) -> SegmentFigures:
+    """Return radius, turn and fit of one segment; of hundreds, a drag changes two."""
+    from bobdesk.alignment.segment_figures import segment_figures as figures_of_segment
+
+    return figures_of_segment(line, segment)

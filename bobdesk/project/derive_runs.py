@@ -1,20 +1,29 @@
-"""What follows from a finished run: its line, its deviations, and whether it is out of date."""
+"""What follows from a finished run: its line, its deviations, and whether it is out of date.
+
+Whatever needs scipy is imported where it is called: the window shows a project before that is loaded.
+"""
 
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import TYPE_CHECKING
 
-from bobdesk.alignment.centreline import Centreline, fit_centreline
+from bobdesk.plan.projection import Georeference
+from bobdesk.project import derive
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
 from bobdesk.solve.iterates import Solution
-from bobdesk.solve.profile import Profile, profile_rows
-from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.comparison import Comparison, compare
 from bobdesk.track.figures import Deviations, deviations
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
+    from bobdesk.track.centreline3d import Centreline3D
+
+_SAME_SCALE = 1e-12
 
 
 def why_out_of_date(project: Project, run: Run) -> str | None:
@@ -39,12 +48,16 @@ def why_out_of_date(project: Project, run: Run) -> str | None:
 
 def run_centreline(run: Run) -> Centreline:
     """Return the centreline that a run was made on."""
+    from bobdesk.alignment.centreline import fit_centreline
+
     return fit_centreline(run.inputs.polyline, run.inputs.fit)
 
 
 @lru_cache(maxsize=16)
 def run_solution(run: Run) -> Solution:
     """Return a run's end as the solver returned it."""
+    from bobdesk.solve.profile import Profile, profile_rows
+
     layout = run.layout
     breaks = layout.edges[1:-1][layout.held].tolist()
     stations, points, bends = profile_rows(run_centreline(run), breaks)
@@ -69,7 +82,19 @@ def run_solution(run: Run) -> Solution:
 @lru_cache(maxsize=16)
 def run_line(run: Run) -> Centreline3D:
     """Return a run's 3D line, in true size."""
+    from bobdesk.track.centreline3d import make_centreline3d
+
     return make_centreline3d(run_centreline(run), run.inputs.segments, run_solution(run))
+
+
+def run_georeference(project: Project, run: Run) -> Georeference | None:
+    """Return where the origin of a run's line lies on the Earth, or None if nothing says so.
+
+    A run on another plan than the project's present one, or one that found a scale, does not lie there.
+    """
+    if inputs_digest(project).plan != run.digest.plan or abs(run.inputs.factor * run.scale - 1) > _SAME_SCALE:
+        return None
+    return derive.georeference(project)
 
 
 def run_deviations(run: Run) -> Deviations:

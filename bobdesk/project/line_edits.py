@@ -9,12 +9,12 @@ from dataclasses import replace
 import numpy as np
 import numpy.typing as npt
 
-from bobdesk.alignment.centreline import WAVELENGTH_OF_CLICKS, WAVELENGTH_OF_TRACES, FitSettings
+from bobdesk.alignment.fit_settings import WAVELENGTH_OF_CLICKS, WAVELENGTH_OF_TRACES, FitSettings
 from bobdesk.alignment.segments import Segment, Segments, segment_at
 from bobdesk.errors import InputError
 from bobdesk.plan import trace_vertices as vertices
 from bobdesk.plan.polyline import Polyline
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.project.derive import digitised_length, polyline
 from bobdesk.project.project import DigitisedLine, Extent, Project
 

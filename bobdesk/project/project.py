@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
-from bobdesk.alignment.centreline import FitSettings
-from bobdesk.alignment.segmentation import SegmentationSettings
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray, frozen
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.runs import Run
-from bobdesk.solve.run import SolverSettings
+from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import (
     HIGHEST_GRADIENT,
     LOWEST_GRADIENT,

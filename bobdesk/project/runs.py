@@ -7,13 +7,13 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from bobdesk.alignment.centreline import FitSettings
+from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import BoolArray, FloatArray, IntArray, frozen
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
 from bobdesk.solve.iterates import Iterate, Solution
-from bobdesk.solve.run import SolverSettings
+from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import Targets
 from bobdesk.track.figures import Figures
 

@@ -8,7 +8,7 @@ from dataclasses import asdict, replace
 
 from bobdesk.errors import InputError
 from bobdesk.project.project import Limits, Project, TargetSet
-from bobdesk.solve.run import SolverSettings
+from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import STEEPEST_GRADIENT, KnownElevation, MeanGradientDefinition
 
 

@@ -9,7 +9,7 @@ from bobdesk.alignment.segments import Segments
 from bobdesk.errors import TargetError
 from bobdesk.progress import finish
 from bobdesk.solve.pgd import find_scale, reach
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import Targets
 
 _SAME_FIGURE = 0.02

@@ -9,19 +9,10 @@ import numpy as np
 from bobdesk.arrays import FloatArray
 from bobdesk.solve.problem import mean_shares
 from bobdesk.solve.profile import Profile
+from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets
 
 _STRAIGHTEST = 1e-6
-
-
-@dataclass(frozen=True)
-class Weights:
-    """Weights of the four terms: length, height, curvature, mean gradient (the paper's a, b, c, d)."""
-
-    length: float = 1.0
-    height: float = 1.0
-    curvature: float = 1.0
-    gradient: float = 1.0
 
 
 @dataclass(frozen=True)

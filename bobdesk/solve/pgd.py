@@ -16,9 +16,9 @@ from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.iterates import Iterate, Run, Solution
 from bobdesk.solve.problem import Problem, make_problem
 from bobdesk.solve.projection import Projection
+from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.stages import (
     LENGTH_TOLERANCE,
-    PgdSettings,
     Reach,
     Result,
     Tally,

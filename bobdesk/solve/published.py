@@ -2,47 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-
 import numpy as np
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
 from bobdesk.solve.iterates import Iterate, Run, Solution
-from bobdesk.solve.objective import PublishedObjective, Weights
+from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.profile import Profile, make_profile
+from bobdesk.solve.settings import PublishedSettings
 from bobdesk.solve.targets import Targets
 
 _WILDEST_SCALE = 2.0
 _RATE = 1e-5
 _RATE_OF_SCALE = 0.2
-
-
-@dataclass(frozen=True)
-class PublishedSettings:
-    """What the paper names, with its values.
-
-    Attributes
-    ----------
-    weights
-        a, b, c, d.
-    rate
-        Learning rate η; None is the paper's 1e-5, and with an unknown scale the smaller of that and
-        0.2 / plan length², since 1e-5 overshoots there (the paper determines it for each track).
-    threshold
-        δ: the end is where J changes by less.
-    first_derivative
-        The derivative that the first update assigns, before there are two iterates to difference.
-    max_iterations
-        The paper has no limit; this one is only ever reached with a tiny rate.
-    """
-
-    weights: Weights = field(default_factory=Weights)
-    rate: float | None = None
-    threshold: float = 1e-3
-    first_derivative: float = -100.0
-    max_iterations: int = 200_000
 
 
 def published(

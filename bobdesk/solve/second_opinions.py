@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy as np
@@ -14,36 +13,15 @@ from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.solve.anchors import anchors_of, elevations_of, stations_of
 from bobdesk.solve.iterates import Iterate, Run, Solution
-from bobdesk.solve.objective import PublishedObjective, Weights
+from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.problem import Problem, make_problem
 from bobdesk.solve.profile import falls_between
+from bobdesk.solve.settings import SecondOpinionSettings
 from bobdesk.solve.targets import Targets
 
 SecondOpinion = Literal["lbfgsb", "slsqp", "de"]
 _SCIPY_NAMES = {"lbfgsb": "L-BFGS-B", "slsqp": "SLSQP"}
 _MOST_GENERATIONS = 300
-
-
-@dataclass(frozen=True)
-class SecondOpinionSettings:
-    """Weights of the objective, and how long a method may take.
-
-    Attributes
-    ----------
-    weights
-        a, b, c, d of the published objective.
-    max_iterations
-        Iterations, or generations.
-    numeric_derivatives
-        Let SLSQP difference the objective itself instead of using the exact derivative.
-    seed
-        Of the differential evolution.
-    """
-
-    weights: Weights = field(default_factory=Weights)
-    max_iterations: int = 1000
-    numeric_derivatives: bool = False
-    seed: int = 1
 
 
 def second_opinion(

@@ -13,6 +13,7 @@ from bobdesk.arrays import FloatArray
 from bobdesk.solve.iterates import Iterate
 from bobdesk.solve.problem import Problem
 from bobdesk.solve.projection import Projection
+from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.smoothness import Smoothness, Swinging, Swings, smoothest_without_limits
 from bobdesk.solve.spectral_gradient import Descent, DescentSettings, descend
 
@@ -25,51 +26,6 @@ _LARGEST_SWING = 0.5
 _CLEARLY = 0.95
 LENGTH_TOLERANCE = 1e-8
 _MET = 1e-6
-
-
-@dataclass(frozen=True)
-class PgdSettings:
-    """What the user can set of the recommended method.
-
-    Attributes
-    ----------
-    meet_length
-        Meet the length (stage two), or leave the smoothest profile.
-    evenness
-        Weight in stage two of swings of one size against little change of elevation, m².
-    plausible
-        Largest root mean square of the change of gradient in stage two. A length that asks for
-        more is met only as far as that.
-    typical_swing
-        Root mean square of the change of gradient that is expected of a track whose plan has no
-        scale; there the length tells the scale, and cannot tell the swing too.
-    transition
-        Length of the vertical transitions at gradient breaks, m; 0 for kinks.
-    level_out
-        The drop is to the lowest point, where a track is level: the gradient is taken to die out
-        over this length before it, m, or over a quarter of a short line; 0 for not at all.
-    longest_piece
-        Longer segments are divided into equal pieces, m: an even gradient over 100 m and more is
-        not what tracks have. (At most some 300 divisions a line.)
-    longest_swing
-        Stage two changes the gradient by one amount in each segment, and in each part of a segment
-        that is longer than this, m.
-    tolerance
-        On the optimality measure in stage one.
-    max_iterations
-        Of each descent.
-    """
-
-    meet_length: bool = True
-    evenness: float = 1e3
-    plausible: float = 0.06
-    typical_swing: float = 0.03
-    transition: float = 8.0
-    level_out: float = 30.0
-    longest_piece: float = 40.0
-    longest_swing: float = 60.0
-    tolerance: float = 1e-8
-    max_iterations: int = 5000
 
 
 @dataclass

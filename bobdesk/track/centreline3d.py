@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bobdesk.alignment.centreline import Centreline
-from bobdesk.alignment.curvature import heading
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray, IntArray, frozen
 from bobdesk.solve.iterates import Solution
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
 
 DECIMALS = 6
 _NO_CURVATURE = 1e-9
@@ -69,6 +71,8 @@ class Centreline3D:
 
 def make_centreline3d(centreline: Centreline, segments: Segments, solution: Solution) -> Centreline3D:
     """Put plan and gradients together."""
+    from bobdesk.alignment.curvature import heading  # here, for it needs scipy, and the type does not
+
     profile, scale = solution.profile, solution.scale
     falls = scale * profile.falls(solution.gradients, solution.edge_gradients)
     elevations = solution.start_elevation - np.concatenate([[0.0], np.cumsum(falls)])

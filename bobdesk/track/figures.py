@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from bobdesk.solve.targets import Targets
-from bobdesk.track.centreline3d import Centreline3D
+
+if TYPE_CHECKING:
+    from bobdesk.track.centreline3d import Centreline3D
 
 
 @dataclass(frozen=True)

@@ -202,6 +202,9 @@ QLabel[kind="error"] {{ color: {of.error}; }}
 QLabel[kind="good"] {{ color: {of.good}; }}
 QLabel[kind="warning"] {{ color: {of.warning}; background: {of.warning_soft};
     border: 1px solid {of.warning_border}; border-radius: 4px; padding: 6px 8px; }}
+QFrame[kind="notice"] {{ background: {of.warning_soft}; border: 1px solid {of.warning_border}; border-radius: 4px; }}
+QFrame[kind="notice"] QLabel {{ color: {of.warning}; border: none; }}
+QFrame[kind="notice"] QPushButton[kind="link"] {{ color: {of.warning}; font-weight: 600; }}
 QFrame[kind="line"] {{ background: {of.border}; max-height: 1px; border: none; }}
 QPushButton[kind="primary"] {{ background: {of.accent}; color: {of.on_accent}; font-weight: 600;
     border: 1px solid {of.accent}; border-radius: 4px; padding: 5px 12px; }}

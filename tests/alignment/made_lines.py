@@ -4,7 +4,8 @@ from pathlib import Path
 
 import numpy as np
 
-from bobdesk.alignment.centreline import Centreline, FitSettings, fit_centreline
+from bobdesk.alignment.centreline import Centreline, fit_centreline
+from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.plan.polyline import Polyline
 
 DATA = Path(__file__).parent.parent / "data"

@@ -4,7 +4,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from bobdesk.alignment.centreline import FitSettings, at_stations, fit_centreline
+from bobdesk.alignment.centreline import at_stations, fit_centreline
+from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
 from tests.alignment.made_lines import circle, correlated_noise, curve, drive, fitted, made_plan

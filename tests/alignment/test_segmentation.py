@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from bobdesk.alignment.curvature import curvature
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments, fit_by_count, threshold_of
+from bobdesk.alignment.segmentation import detect_segments, fit_by_count, threshold_of
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import check_segments, set_locked
 from bobdesk.errors import InputError
 from tests.alignment.made_lines import DATA, circle, correlated_noise, drive, fitted, made_pieces, made_plan

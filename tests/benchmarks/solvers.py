@@ -6,15 +6,18 @@ from itertools import pairwise
 
 import numpy as np
 
-from bobdesk.alignment.centreline import FitSettings, fit_centreline
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.centreline import fit_centreline
+from bobdesk.alignment.fit_settings import FitSettings
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment
 from bobdesk.plan.polyline import polyline_from_points
 from bobdesk.progress import finish
-from bobdesk.solve.objective import PublishedObjective, Weights
+from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.pgd import pgd
-from bobdesk.solve.published import PublishedSettings, published
-from bobdesk.solve.second_opinions import SecondOpinionSettings, second_opinion
+from bobdesk.solve.published import published
+from bobdesk.solve.second_opinions import second_opinion
+from bobdesk.solve.settings import PublishedSettings, SecondOpinionSettings, Weights
 from bobdesk.solve.targets import Targets
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import figures

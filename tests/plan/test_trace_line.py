@@ -14,7 +14,8 @@ import shapely
 
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline_geometry import arc_lengths, self_crossings
-from bobdesk.plan.trace import Trace, TraceSettings, propose_loops, trace_line
+from bobdesk.plan.trace import TraceSettings, propose_loops, trace_line
+from bobdesk.plan.traced_line import Trace
 from bobdesk.progress import finish
 
 from PIL import Image  # isort: skip

@@ -7,15 +7,13 @@ from collections.abc import Callable
 import numpy as np
 from hypothesis import strategies as st
 
-from bobdesk.alignment.segmentation import SegmentationSettings
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project import edits
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine, TargetSet
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.run import SolverSettings
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
 from tests.project.made_projects import bends, full_project, traced
 
@@ -116,6 +114,10 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "flip_segment": lambda p, d: edits.flip_segment(p, d(index)),
     "lock_segment": lambda p, d: edits.lock_segment(p, d(index), locked=d(st.booleans())),
     "name_segment": lambda p, d: edits.name_segment(p, d(index), d(words)),
+    "flip_segments": lambda p, d: edits.flip_segments(p, [d(index), d(index)]),
+    "lock_segments": lambda p, d: edits.lock_segments(p, [d(index)], locked=d(st.booleans())),
+    "delete_boundary": lambda p, d: edits.delete_boundary(p, d(index)),
+    "number_curves": lambda p, d: edits.number_curves(p),
     "detect_again": lambda p, d: edits.detect_again(p),
     "use_automatic_segments": lambda p, d: edits.use_automatic_segments(p),
     "set_segmentation": lambda p, d: edits.set_segmentation(p, _segmentation(d)),

@@ -8,8 +8,8 @@ import numpy as np
 
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
-from bobdesk.plan.trace import Trace
 from bobdesk.plan.trace_vertices import drawn_trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.project import derive, edits
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine, TargetSet

@@ -22,8 +22,8 @@ from bobdesk.project.derive_runs import (
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Picture, Project, SourceLine
 from bobdesk.project.steps import steps
-from bobdesk.solve.run import SolverSettings, solve
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.run import solve
+from bobdesk.solve.settings import PgdSettings, SolverSettings
 from bobdesk.solve.targets import KnownElevation
 from bobdesk.track.figures import figures
 from tests.project.made_projects import bends, coordinates_project, full_project, ready_project, solved_run

@@ -5,7 +5,7 @@ from bobdesk.errors import TargetError
 from bobdesk.progress import finish
 from bobdesk.solve.feasibility import feasibility
 from bobdesk.solve.pgd import pgd
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import KnownElevation, Targets
 from tests.alignment.made_lines import fitted, made_plan
 from tests.solve.made_plans import made, plan_of

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from bobdesk.alignment.segments import Segment
-from bobdesk.solve.objective import PublishedObjective, Weights
+from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.profile import Profile, make_profile
+from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets
 from tests.solve.made_plans import made, straight_plan
 

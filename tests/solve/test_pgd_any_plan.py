@@ -11,8 +11,8 @@ from bobdesk.errors import TargetError
 from bobdesk.progress import finish
 from bobdesk.solve.feasibility import feasibility
 from bobdesk.solve.pgd import pgd
-from bobdesk.solve.run import SolverSettings, solve
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.run import solve
+from bobdesk.solve.settings import PgdSettings, SolverSettings
 from bobdesk.solve.targets import KnownElevation, Targets
 from tests.alignment.made_lines import drive, made_plan
 from tests.solve.made_plans import height_at, length_of, made, plan_of, run_pgd

@@ -8,7 +8,7 @@ from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import finish
 from bobdesk.solve.feasibility import feasibility
 from bobdesk.solve.pgd import pgd
-from bobdesk.solve.stages import PgdSettings
+from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import in_scale
 from tests.alignment.made_lines import fitted
 from tests.solve.made_plans import REAL_LINES, height_at, length_of, plan_of, real_line, run_pgd

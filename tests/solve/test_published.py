@@ -5,11 +5,12 @@ from functools import cache
 import numpy as np
 import pytest
 
-from bobdesk.alignment.segmentation import SegmentationSettings, detect_segments
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment
 from bobdesk.progress import finish
-from bobdesk.solve.objective import Weights
-from bobdesk.solve.published import PublishedSettings, published
+from bobdesk.solve.published import published
+from bobdesk.solve.settings import PublishedSettings, Weights
 from bobdesk.solve.targets import Targets
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import figures

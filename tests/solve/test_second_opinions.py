@@ -5,9 +5,10 @@ import pytest
 
 from bobdesk.errors import InputError
 from bobdesk.progress import finish
-from bobdesk.solve.objective import PublishedObjective, Weights
-from bobdesk.solve.published import PublishedSettings, published
-from bobdesk.solve.second_opinions import SecondOpinionSettings, second_opinion
+from bobdesk.solve.objective import PublishedObjective
+from bobdesk.solve.published import published
+from bobdesk.solve.second_opinions import second_opinion
+from bobdesk.solve.settings import PublishedSettings, SecondOpinionSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.track.centreline3d import make_centreline3d
 from tests.solve.made_plans import height_at, made

@@ -13,7 +13,6 @@ from bobdesk.files.exporters.figures_table import to_figures_table
 from bobdesk.files.exporters.geojson import to_geojson
 from bobdesk.files.exporters.json_line import to_json_line
 from bobdesk.files.exporters.kml import to_kml
-from bobdesk.files.exporters.opendrive import to_opendrive
 from bobdesk.files.exporters.tables import line_table
 from bobdesk.files.plugins import Plugins, find_plugins
 from bobdesk.plan.projection import Georeference
@@ -91,6 +90,8 @@ def _dxf(line: Centreline3D, options: ExportOptions) -> bytes:
 
 
 def _opendrive(line: Centreline3D, options: ExportOptions) -> bytes:
+    from bobdesk.files.exporters.opendrive import to_opendrive  # here, for it needs scipy
+
     return to_opendrive(line, georeference=options.georeference)
 
 

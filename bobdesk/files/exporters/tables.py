@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from bobdesk.alignment.centreline import Centreline
-from bobdesk.alignment.segment_figures import segment_figures
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, Flavour, to_csv
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.solve.envelope import Envelope
 from bobdesk.track.centreline3d import Centreline3D
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
 
 LINE_COLUMNS = (
     "station_m",
@@ -51,6 +53,8 @@ def line_table(line: Centreline3D, *, flavour: str = "default") -> bytes:
 
 def segments_table(centreline: Centreline, segments: Segments, *, flavour: Flavour | None = None) -> bytes:
     """Return SEGMENTS.csv; a straight has no radius."""
+    from bobdesk.alignment.segment_figures import segment_figures  # here, for it needs scipy
+
     rows = []
     for number, segment in enumerate(segments, 1):
         found = segment_figures(centreline, segment)

@@ -7,8 +7,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
 
 from bobdesk.arrays import FloatArray, IntArray
 
@@ -84,6 +82,10 @@ def _different(paths: list[FloatArray]) -> list[int]:
 
 def _nodes(paths: list[FloatArray]) -> IntArray:
     """Return the number of the node at the start and end of each path, (m, 2)."""
+    # Here, for the table of formats is shown before scipy is loaded.
+    from scipy.sparse import coo_matrix
+    from scipy.sparse.csgraph import connected_components
+
     ends = np.concatenate([path[[0, -1]] for path in paths])
     extent = float(max(np.ptp(path, axis=0).max() for path in paths))
     extent = max(extent, float(np.ptp(ends, axis=0).max()), 1e-12)

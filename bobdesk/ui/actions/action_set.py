@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QMenuBar, QWidget
 
 from bobdesk.ui.actions.action import Action, MenuName
 from bobdesk.ui.icons import icon
@@ -27,6 +27,7 @@ class ActionSet(QObject):
         self.table = tuple(table)
         self._settings = settings
         self._made: dict[str, QAction] = {}
+        self._menus: dict[MenuName, QMenu] = {}
         for row in self.table:
             if row.name in self._made:
                 raise ValueError(f"two actions are called {row.name}")
@@ -75,9 +76,19 @@ class ActionSet(QObject):
         """Return the row of the table with this name."""
         return next(row for row in self.table if row.name == name)
 
-    def fill_menu(self, menu: QMenu, name: MenuName) -> None:
-        """Add the actions of one menu, with separators between groups."""
-        self._fill(menu, [row for row in self.table if row.menu == name])
+    def add_menu(self, bar: QMenuBar, name: MenuName, title: str) -> None:
+        """Add a menu with its actions, with separators between groups; none without actions."""
+        rows = [row for row in self.table if row.menu == name]
+        if rows:
+            menu = bar.addMenu(title)
+            menu.setToolTipsVisible(True)
+            menu.aboutToShow.connect(self.refresh)
+            self._menus[name] = menu
+            self._fill(menu, rows)
+
+    def menu_of(self, name: MenuName) -> QMenu:
+        """Return a menu of the menu bar."""
+        return self._menus[name]
 
     def context_menu(self, parent: QWidget) -> QMenu:
         """Return the plan view's context menu."""
