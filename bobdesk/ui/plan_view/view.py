@@ -146,8 +146,6 @@ class PlanView(Canvas):
         """Return whether a layer is switched on."""
         return self.layers.is_shown(layer)
 
-<<<<<<< HEAD
-=======
     def is_loupe_shown(self) -> bool:
         """Whether the loupe is shown while points are placed."""
         return self._loupe_is_wanted
@@ -168,7 +166,6 @@ class PlanView(Canvas):
         self.desk.selection.vertices = range(first, last + 1)
         self.fit_selection()
 
->>>>>>> view
     def showEvent(self, event: QShowEvent) -> None:
         """Show the whole plan the first time."""
         super().showEvent(event)
