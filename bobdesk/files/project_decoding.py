@@ -18,6 +18,7 @@ from bobdesk.files.npy import npy_table
 from bobdesk.files.project_encoding import PICTURE
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, polyline_from_points
+from bobdesk.plan.projection import LARGEST_LATITUDE
 from bobdesk.plan.trace_vertices import checked_vertices
 from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
@@ -168,6 +169,10 @@ def _source(found: schema.SourceEntry) -> SourceLine:
     line, kept = polyline_from_points(points)
     if len(kept) < len(points):
         raise ValueError("the plan has points twice")
+    place = (found.longitude, found.latitude)
+    known = [number for number in place if number is not None]
+    if len(known) == 1 or (known and not (abs(known[0]) <= 360 and abs(known[1]) <= LARGEST_LATITUDE)):
+        raise ValueError("the place of the plan on the Earth makes no sense")
     return SourceLine(found.name, line, found.longitude, found.latitude)
 
 

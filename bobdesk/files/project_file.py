@@ -8,7 +8,7 @@ from pathlib import Path
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
-from bobdesk.files.project_archive import DOCUMENT, archive_bytes, read_archive
+from bobdesk.files.project_archive import DOCUMENT, archive_bytes, begins_like_a_project, entries_in, read_archive
 from bobdesk.files.project_decoding import decode_project
 from bobdesk.files.project_encoding import encode_project
 from bobdesk.project.project import Project
@@ -61,6 +61,31 @@ def load_project(path: Path) -> Project:
         raise InputError(f"{path}: there is not enough memory to open it") from None
 
 
+def project_in(data: bytes, *, name: str) -> Project:
+    """Return the project in a file's bytes; see `load_project`.
+
+    Raises
+    ------
+    InputError
+        If it cannot be used; the sentence names the file `name`.
+    """
+    try:
+        entries = entries_in(data)
+        return decode_project(entries[DOCUMENT], lambda entry: entries[entry])
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from error
+    except MemoryError:
+        raise InputError(f"{name}: there is not enough memory to open it") from None
+
+
 def is_project(path: Path) -> bool:
-    """Return whether a path names a project file."""
-    return path.suffix.lower() == SUFFIX
+    """Return whether a path names a project file, by its ending or, whatever that is, by what it begins with."""
+    if path.suffix.lower() == SUFFIX:
+        return True
+    try:
+        if not path.is_file():
+            return False
+        with path.open("rb") as stream:
+            return begins_like_a_project(stream.read(64))
+    except OSError:
+        return False

@@ -20,6 +20,7 @@ from bobdesk.project.project import Project, SourceLine
 from bobdesk.project.runs import InputsDigest
 
 _LENGTH = 16
+_ON_THE_PUBLISHED_OBJECTIVE = ("published", "lbfgsb", "slsqp", "de")
 
 
 def inputs_digest(project: Project) -> InputsDigest:
@@ -116,8 +117,15 @@ def _targets(project: Project) -> str:
 
 def _solver(project: Project) -> str:
     settings = project.solver
-    used = settings.pgd if settings.method == "pgd" else settings.weights
-    return _digest(settings.method, _numbers(asdict(used)))
+    if settings.method == "pgd":
+        return _digest(settings.method, _numbers(asdict(settings.pgd)))
+    weights = _numbers(asdict(settings.weights))
+    if settings.method == "published" and settings.rate is not None:
+        return _digest(settings.method, weights, _number(settings.rate))
+    if settings.method in _ON_THE_PUBLISHED_OBJECTIVE:
+        return _digest(settings.method, weights)
+    # What a plug-in looks at is its own affair.
+    return _digest(settings.method, weights, _numbers(asdict(settings.pgd)), _number(settings.rate))
 
 
 def _numbers(values: dict[str, object]) -> object:
