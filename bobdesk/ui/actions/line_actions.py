@@ -8,6 +8,7 @@ from bobdesk.project.project import Project
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.near import nearest_on_line
+from bobdesk.ui.plan_view.tools.auto_trace import AutoTraceTool
 from bobdesk.ui.plan_view.view import PlanView
 
 
@@ -18,6 +19,9 @@ class LineActions(QObject):
         super().__init__(parent)
         self._desk = desk
         self._view = view
+        auto_trace = view.tool("auto_trace")
+        assert isinstance(auto_trace, AutoTraceTool)
+        self._auto_trace = auto_trace
 
     def table(self) -> tuple[Action, ...]:
         """Return the rows."""
@@ -114,6 +118,17 @@ class LineActions(QObject):
                 "canvas",
                 enabled=self._has_doubts,
                 context=True,
+            ),
+            Action(
+                "look_for_loops",
+                self.tr("Look for l&oops"),
+                self._auto_trace.look_for_loops,
+                (),
+                "loop",
+                self.tr("Trace the same clicks once more, going straight on where the line crosses itself"),
+                "Track",
+                "line",
+                enabled=lambda: self._auto_trace.can_look_for_loops,
             ),
             Action(
                 "delete_line",

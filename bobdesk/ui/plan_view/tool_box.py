@@ -6,13 +6,16 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QGraphicsView
 
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.tools.auto_trace import AutoTraceTool
 from bobdesk.ui.plan_view.tools.calibrate import CalibrateTool
 from bobdesk.ui.plan_view.tools.draw import DrawTool
 from bobdesk.ui.plan_view.tools.flags import FlagTool
 from bobdesk.ui.plan_view.tools.known_distance import KnownDistanceTool
+from bobdesk.ui.plan_view.tools.live_wire import LiveWireTool
 from bobdesk.ui.plan_view.tools.measure import MeasureTool
 from bobdesk.ui.plan_view.tools.select import SelectTool
 from bobdesk.ui.plan_view.tools.tool import Tool
+from bobdesk.ui.plan_view.tools.two_edges import TwoEdgesTool
 
 
 class ToolBox(QObject):
@@ -35,6 +38,9 @@ class ToolBox(QObject):
         made: tuple[Tool, ...] = (
             SelectTool(desk, self),
             DrawTool(desk, self),
+            LiveWireTool(desk, self),
+            AutoTraceTool(desk, self),
+            TwoEdgesTool(desk, self),
             FlagTool("set_start", desk, self),
             FlagTool("set_finish", desk, self),
             FlagTool("cut", desk, self),
