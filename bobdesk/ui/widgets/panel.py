@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
 from bobdesk.ui.widgets.flow_layout import FlowLayout
+from bobdesk.ui.widgets.value_label import ValueLabel
 
 _MARGIN = 14
 
@@ -102,17 +103,10 @@ class Panel(QScrollArea):
         (to or self.column).addLayout(form)
         return form
 
-    def add_value(self, form: QFormLayout, text: str) -> QLabel:
+    def add_value(self, form: QFormLayout, text: str) -> ValueLabel:
         """Add a row that only shows something."""
-        value = QLabel(self._body)
-        value.setWordWrap(True)
-        value.setTextFormat(Qt.TextFormat.PlainText)
-        value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        value = ValueLabel(self._body)
         value.setAccessibleName(text)
-        # A new policy would forget that wrapped text is higher where it is narrower.
-        policy = value.sizePolicy()
-        policy.setHorizontalPolicy(QSizePolicy.Policy.Expanding)
-        value.setSizePolicy(policy)
         label = QLabel(text, self._body)
         label.setProperty("kind", "muted")
         form.addRow(label, value)
