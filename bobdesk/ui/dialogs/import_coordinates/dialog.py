@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHBoxLayout,
+    QHeaderView,
     QLabel,
     QProgressBar,
     QPushButton,
@@ -293,7 +294,9 @@ class ImportDialog(QDialog):
                 self.rows.setItem(row, column, item)
         self.rows.resizeColumnsToContents()
         widths = [min(_WIDEST_COLUMN, self.rows.columnWidth(column) + 12) for column in range(count)]
-        # a few columns share the width, many are scrolled
-        spare = max(0, self.rows.viewport().width() - sum(widths)) // max(1, count)
         for column, width in enumerate(widths):
-            self.rows.setColumnWidth(column, width + spare)
+            self.rows.setColumnWidth(column, width)
+        # a few columns share the width, many are scrolled
+        few = sum(widths) < self.rows.viewport().width() - self.rows.verticalScrollBar().sizeHint().width()
+        mode = QHeaderView.ResizeMode.Stretch if few else QHeaderView.ResizeMode.Interactive
+        self.rows.horizontalHeader().setSectionResizeMode(mode)
