@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
-from bobdesk.ui.settings import Theme
+from bobdesk.ui.settings import Settings, Theme
 
 
 @dataclass(frozen=True)
@@ -138,6 +138,26 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     application.setStyle("Fusion")
     application.setPalette(_palette(_InForce.colours))
     application.setStyleSheet(_style_sheet(_InForce.colours))
+
+
+class ThemeFollower(QObject):
+    """Keeps the application in the theme that the user, or the system, has chosen."""
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        super().__init__(application)
+        self._application = application
+        self._settings = settings
+        settings.changed.connect(self._on_setting)
+        application.styleHints().colorSchemeChanged.connect(self._on_scheme)
+        apply_theme(application, settings.theme)
+
+    def _on_setting(self, name: str) -> None:
+        if name == "theme":
+            apply_theme(self._application, self._settings.theme)
+
+    def _on_scheme(self) -> None:
+        if self._settings.theme == "system":
+            apply_theme(self._application, "system")
 
 
 def _is_dark(application: QApplication, theme: Theme) -> bool:

@@ -218,6 +218,12 @@ class RealWindow:
         subprocess.run(["xdotool", *arguments], env=self._environment, check=True, timeout=20)
 
     def _settle(self) -> None:
-        """Let the program take what the hand did; a modal question answers late, and that is no failure."""
+        """Let the program take what the hand did; that may have been its end."""
         time.sleep(0.06)
-        self.ask("1")
+        try:
+            self.ask("1")
+        except (OSError, AssertionError):
+            if self._program.poll() is None:
+                time.sleep(0.5)
+            if self._program.poll() is None:
+                raise

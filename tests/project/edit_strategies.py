@@ -23,6 +23,7 @@ metres = st.floats(-1e6, 1e6)
 positive = st.floats(1e-6, 1e5)
 words = st.text(max_size=12)
 index = st.integers(0, 5)
+places = st.just((None, None)) | st.tuples(st.floats(-180, 180), st.floats(-89, 89))
 
 
 def _point(draw: Draw) -> ControlPoint:
@@ -69,7 +70,7 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "write_notes": lambda p, d: edits.write_notes(p, d(words)),
     "open_picture": lambda p, d: edits.open_picture(p, _picture(d)),
     "open_coordinates": lambda p, d: edits.open_coordinates(
-        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), d(st.none() | metres), None)
+        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), *d(places))
     ),
     "compare_with": lambda p, d: edits.compare_with(p, ActualTrack(d(words), np.full((3, 3), d(metres)))),
     "compare_with_nothing": lambda p, d: edits.compare_with_nothing(p),

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
+from PySide6.QtCore import Qt
+
 from bobdesk.project import derive
 from bobdesk.project.project import Picture, Project, SourceLine
 from bobdesk.ui.widgets.panel import Panel
@@ -22,6 +26,8 @@ class PlanSourcePart(Part):
         self.position = panel.add_value(form, self.tr("Position"))
         self.vertices = panel.add_value(form, self.tr("Vertices"))
         self.length = panel.add_value(form, self.tr("Length"))
+        # Breaks that nobody sees must not be copied.
+        self.file.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
         self._form = form
         self.problem = panel.add_label("", "error", self.column)
         self.notes = panel.add_label("", "muted", self.column)
@@ -45,7 +51,7 @@ class PlanSourcePart(Part):
         self.name_it(self.tr("Coordinates"))
         self._show_rows(self.position, self.vertices, self.length)
         number = self.desk.quantities.number
-        self.file.setText(source.name)
+        self.file.setText(_breakable(source.name))
         self.vertices.setText(number(len(source.polyline.vertices), 0))
         self.length.setText(self.desk.quantities.length(derive.digitised_length(project)))
         if source.longitude is None or source.latitude is None:
@@ -57,7 +63,7 @@ class PlanSourcePart(Part):
     def _show_picture(self, picture: Picture) -> None:
         self.name_it(self.tr("Picture"))
         image = self.desk.picture.image
-        self.file.setText(picture.name)
+        self.file.setText(_breakable(picture.name))
         self.position.setText(
             self.tr("by the picture's tags or world file") if picture.world is not None else self.tr("not stated")
         )
@@ -95,3 +101,8 @@ class PlanSourcePart(Part):
         same = round(dpi[0]) == round(dpi[1])
         shown = number(dpi[0], 0) if same else f"{number(dpi[0], 0)} × {number(dpi[1], 0)}"
         return self.tr("{dpi} dpi").format(dpi=shown)
+
+
+def _breakable(name: str) -> str:
+    """Return a file's name that may be wrapped behind its signs."""
+    return re.sub(r"([_.\-])", "\\1\u200b", name)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QComboBox
 
 from bobdesk.project import derive, edits
 from bobdesk.project.project import CalibrationWay, Project
+from bobdesk.ui.widgets.calm import Chooser
 from bobdesk.ui.widgets.number_field import NumberField
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
@@ -24,10 +24,7 @@ class ScaleWayPart(Part):
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
         self.name_it(self.tr("Where the scale comes from"))
-        self.chooser = QComboBox(self)
-        self.chooser.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.chooser.setMinimumContentsLength(12)
-        self.chooser.setAccessibleName(self.tr("Where the scale comes from"))
+        self.chooser = Chooser(self.tr("Where the scale comes from"), self)
         self.chooser.setToolTip(self.tr("How pixels of the plan become metres"))
         self.chooser.activated.connect(self._on_activated)
         self.column.addWidget(self.chooser)
@@ -55,7 +52,9 @@ class ScaleWayPart(Part):
         self._form.setRowVisible(self.one_to, has_picture and way == "drawing scale")
         self.number.show_value(project.calibration.metres_per_pixel, digits=8)
         self.one_to.show_value(project.calibration.one_to)
-        self.sentence.setText(self._sentence(project, found))
+        sentence = self._sentence(project, found)
+        self.sentence.setText(sentence)
+        self.sentence.setVisible(bool(sentence))
 
     def _ways(self, project: Project) -> list[tuple[CalibrationWay, str]]:
         if project.source is not None:

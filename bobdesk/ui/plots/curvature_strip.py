@@ -14,10 +14,11 @@ from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.arrays import FloatArray
 from bobdesk.project import derive
 from bobdesk.project.project import Project
-from bobdesk.ui.derived import line_inputs, same_inputs
+from bobdesk.ui.derived import centreline_later, line_inputs, same_inputs
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.newest import Newest
 from bobdesk.ui.plots.decimated import decimated
+from bobdesk.ui.plots.locale_axis import locale_axis
 from bobdesk.ui.theme import colours
 
 _DEBOUNCE_MS = 150
@@ -63,7 +64,9 @@ class CurvatureStrip(QWidget):
         self._newest = Newest(desk.runner, self.tr("Curvature"), self)
         self._newest.answered.connect(self._on_answered)
         self._newest.failed.connect(self._on_failed)
-        desk.session.changed.connect(self._on_changed)
+        # Once the centreline is there the curvature is nearly free; asked before, both would fit it.
+        self._line = centreline_later(desk)
+        self._line.changed.connect(self._on_line)
         desk.quantities.changed.connect(self._draw)
 
     @property
@@ -94,8 +97,9 @@ class CurvatureStrip(QWidget):
             self._style()
             self._draw()
 
-    def _on_changed(self, _before: Project, _after: Project) -> None:
-        self._later()
+    def _on_line(self) -> None:
+        if self._line.is_current:
+            self._later()
 
     def _later(self) -> None:
         if self.isVisible() and not (self._asked and same_inputs(self._wanted(), self._drawn_for)):
@@ -132,7 +136,7 @@ class CurvatureStrip(QWidget):
     def _make_plot(self) -> None:
         import pyqtgraph
 
-        self._plot = pyqtgraph.PlotWidget(self)
+        self._plot = pyqtgraph.PlotWidget(self, axisItems={side: locale_axis(side) for side in ("left", "bottom")})
         self._plot.setMenuEnabled(False)
         self._plot.setMouseEnabled(x=False, y=False)
         self._plot.hideButtons()

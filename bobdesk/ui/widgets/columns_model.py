@@ -185,7 +185,7 @@ class ColumnsModel(QAbstractTableModel):
     def _look(self, row: int, column: Column, role: int) -> Any:
         marked = bool(self._stands_out(row))
         if role == Qt.ItemDataRole.BackgroundRole and marked:
-            return QColor(colours().warning_soft)
+            return QColor(colours().error_soft)
         if role == Qt.ItemDataRole.ForegroundRole:
             if marked and column.marks:
                 return QColor(colours().error)

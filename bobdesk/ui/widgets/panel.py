@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
 from bobdesk.ui.widgets.flow_layout import FlowLayout
+from bobdesk.ui.widgets.value_label import ValueLabel
 
 _MARGIN = 14
 
@@ -102,14 +103,10 @@ class Panel(QScrollArea):
         (to or self.column).addLayout(form)
         return form
 
-    def add_value(self, form: QFormLayout, text: str) -> QLabel:
+    def add_value(self, form: QFormLayout, text: str) -> ValueLabel:
         """Add a row that only shows something."""
-        value = QLabel(self._body)
-        value.setWordWrap(True)
-        value.setTextFormat(Qt.TextFormat.PlainText)
-        value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        value = ValueLabel(self._body)
         value.setAccessibleName(text)
-        value.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         label = QLabel(text, self._body)
         label.setProperty("kind", "muted")
         form.addRow(label, value)

@@ -6,6 +6,8 @@ from PySide6.QtCore import QAbstractItemModel, QSize, Qt
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
+_ROOM_IN_ROW = 8
+
 
 class Table(QTableView):
     """As high as its rows, between a fewest and a most; Tab leaves it, F2 or typing edits.
@@ -14,8 +16,8 @@ class Table(QTableView):
     ----------
     name
         For screen readers.
-    widest
-        Text that must fit into a column, so that widths never depend on 20,000 rows.
+    fewest_rows, most_rows
+        Between which its height follows the rows.
     """
 
     def __init__(
@@ -44,16 +46,21 @@ class Table(QTableView):
         )
         self.verticalHeader().hide()
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        row = QFontMetrics(self.font()).height() + _ROOM_IN_ROW
+        self.verticalHeader().setMinimumSectionSize(row)
+        self.verticalHeader().setDefaultSectionSize(row)
         header = self.horizontalHeader()
         header.setHighlightSections(False)
         header.setMinimumSectionSize(24)
         header.setStretchLastSection(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         for signal in (model.rowsInserted, model.rowsRemoved, model.modelReset):
             signal.connect(self._on_rows)
         self._fit_rows()
 
     def fit_columns(self, samples: tuple[str, ...]) -> None:
-        """Make each column as wide as its heading and a sample of what stands in it."""
+        """Make each column as wide as its heading and a sample, so that widths never ask 20,000 rows."""
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         metrics = QFontMetrics(self.font())
         head = QFontMetrics(self.horizontalHeader().font())
         space = 2 * metrics.averageCharWidth() + 4
