@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QDialog
+from PySide6.QtWidgets import QDialog, QWidget
 
 from bobdesk.ui.actions.action import Action
-from bobdesk.ui.desk import Desk
+from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.dialogs.command_palette import PALETTE_ACTION
-
-if TYPE_CHECKING:
-    from bobdesk.ui.main_window import MainWindow
+from bobdesk.ui.settings import Settings
 
 
 class HelpActions(QObject):
@@ -20,13 +18,15 @@ class HelpActions(QObject):
 
     Parameters
     ----------
+    actions
+        Returns the window's actions, which are made from this table, too, and so do not exist yet.
     window
-        Over which the dialogs stand, and whose actions they list; these are made from this table, too.
+        Over which the dialogs stand.
     """
 
-    def __init__(self, desk: Desk, window: MainWindow) -> None:
+    def __init__(self, actions: Callable[[], ActionSet], settings: Settings, window: QWidget) -> None:
         super().__init__(window)
-        self._settings, self._window = desk.settings, window
+        self._actions, self._settings, self._window = actions, settings, window
 
     def table(self) -> tuple[Action, ...]:
         """Return the rows for the table of actions."""
@@ -83,13 +83,13 @@ class HelpActions(QObject):
         """Open the shortcut sheet."""
         from bobdesk.ui.dialogs.shortcut_sheet import ShortcutSheet
 
-        self._open(ShortcutSheet(self._window.actions_by_name, self._settings, self._window))
+        self._open(ShortcutSheet(self._actions(), self._settings, self._window))
 
     def show_palette(self) -> None:
         """Open the command palette."""
         from bobdesk.ui.dialogs.command_palette import CommandPalette
 
-        self._open(CommandPalette(self._window.actions_by_name, self._settings, self._window))
+        self._open(CommandPalette(self._actions(), self._settings, self._window))
 
     def show_about(self) -> None:
         """Open the versions and licences."""
