@@ -117,6 +117,7 @@ class SegmentEntry(_Strict):
     end: float
     locked: bool
     name: str
+    by_hand: bool = False
 
 
 MeanIs = Literal["drop-per-length", "drop-per-plan", "segments"]

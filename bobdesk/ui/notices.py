@@ -1,0 +1,61 @@
+"""Sentences to the user: what cannot be done and why, with what can be done about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from PySide6.QtCore import QObject, Signal
+
+Weight = Literal["note", "warning", "error"]
+
+
+@dataclass(frozen=True)
+class Remedy:
+    """Something that the user can do about a notice: a button's text and what it does."""
+
+    text: str
+    do: Callable[[], object]
+
+
+@dataclass(frozen=True)
+class Notice:
+    """One sentence; a note goes away by itself, the others stay until they are closed."""
+
+    sentence: str
+    weight: Weight
+    remedies: tuple[Remedy, ...] = ()
+
+
+class Notices(QObject):
+    """Takes sentences from anywhere in the window; the notice bar shows them.
+
+    Signals
+    -------
+    told
+        A `Notice`.
+    """
+
+    told = Signal(object)
+
+    def note(self, sentence: str, *remedies: Remedy) -> None:
+        """Say something that is good to know."""
+        self._tell(sentence, "note", remedies)
+
+    def warn(self, sentence: str, *remedies: Remedy) -> None:
+        """Say that something may not be as the user thinks."""
+        self._tell(sentence, "warning", remedies)
+
+    def error(self, sentence: str, *remedies: Remedy) -> None:
+        """Say that something could not be done; nothing is lost."""
+        self._tell(sentence, "error", remedies)
+
+    def _tell(self, sentence: str, weight: Weight, remedies: tuple[Remedy, ...]) -> None:
+        sentence = sentence.strip()
+        if sentence:
+            # the name of a file begins as it does
+            is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
+            first = sentence[0] if is_name else sentence[0].upper()
+            whole = first + sentence[1:] + ("" if sentence[-1] in ".!?…" else ".")
+            self.told.emit(Notice(whole, weight, remedies))

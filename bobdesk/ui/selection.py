@@ -1,0 +1,82 @@
+"""What is selected, and the cursor along the line: one thing across plan, strips and tables; never undone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import QObject, Signal
+
+
+class Selection(QObject):
+    """Selected vertices, segments and control point, and the station under the cursor.
+
+    Signals
+    -------
+    vertices_changed, segments_changed, control_point_changed, station_changed
+        One of them is another one than before.
+    """
+
+    vertices_changed = Signal()
+    segments_changed = Signal()
+    control_point_changed = Signal()
+    station_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._vertices: tuple[int, ...] = ()
+        self._segments: tuple[int, ...] = ()
+        self._control_point: int | None = None
+        self._station: float | None = None
+
+    @property
+    def vertices(self) -> tuple[int, ...]:
+        """Indices of selected vertices of the trace, ascending."""
+        return self._vertices
+
+    @vertices.setter
+    def vertices(self, indices: Iterable[int]) -> None:
+        found = tuple(sorted(set(indices)))
+        if found != self._vertices:
+            self._vertices = found
+            self.vertices_changed.emit()
+
+    @property
+    def segments(self) -> tuple[int, ...]:
+        """Indices of selected segments, ascending."""
+        return self._segments
+
+    @segments.setter
+    def segments(self, indices: Iterable[int]) -> None:
+        found = tuple(sorted(set(indices)))
+        if found != self._segments:
+            self._segments = found
+            self.segments_changed.emit()
+
+    @property
+    def control_point(self) -> int | None:
+        """Index of the selected control point."""
+        return self._control_point
+
+    @control_point.setter
+    def control_point(self, index: int | None) -> None:
+        if index != self._control_point:
+            self._control_point = index
+            self.control_point_changed.emit()
+
+    @property
+    def station(self) -> float | None:
+        """Station on the centreline that plan, strips and tables mark together, m."""
+        return self._station
+
+    @station.setter
+    def station(self, station: float | None) -> None:
+        if station != self._station:
+            self._station = station
+            self.station_changed.emit()
+
+    def clear(self) -> None:
+        """Select nothing."""
+        self.vertices = ()
+        self.segments = ()
+        self.control_point = None
+        self.station = None

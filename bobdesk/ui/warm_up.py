@@ -1,0 +1,27 @@
+"""Loads the large libraries after the first paint, so that neither start nor first trace waits for them."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Generator
+
+from bobdesk.progress import Progress
+
+_MODULES = (
+    "numpy",
+    "scipy.ndimage",
+    "scipy.sparse.csgraph",
+    "scipy.optimize",
+    "shapely",
+    "bobdesk.project.derive",
+    "bobdesk.plan.trace",
+    "bobdesk.alignment.segmentation",
+    "pyqtgraph",
+)
+
+
+def warm_up_steps() -> Generator[Progress, None, None]:
+    """Import one module at a step."""
+    for index, module in enumerate(_MODULES):
+        importlib.import_module(module)
+        yield Progress((index + 1) / len(_MODULES), "Getting ready")

@@ -1,0 +1,50 @@
+"""The whole table of actions, and the menus made from it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from bobdesk.ui.actions.action import MenuName
+from bobdesk.ui.actions.action_set import ActionSet
+from bobdesk.ui.actions.edit_actions import EditActions
+from bobdesk.ui.actions.file_actions import FileActions
+from bobdesk.ui.actions.help_actions import HelpActions
+from bobdesk.ui.actions.line_actions import LineActions
+from bobdesk.ui.actions.scale_actions import ScaleActions
+from bobdesk.ui.actions.tool_actions import ToolActions
+from bobdesk.ui.actions.view_actions import ViewActions
+from bobdesk.ui.actions.window_actions import WindowActions
+
+if TYPE_CHECKING:
+    from bobdesk.ui.main_window import MainWindow
+
+
+def make_actions(window: MainWindow) -> ActionSet:
+    """Return the actions of a window, and fill its menu bar with them."""
+    desk, view = window.desk, window.view
+    table = (
+        *FileActions(desk.session, window.documents, window.plans, window.close, window).table(),
+        *EditActions(desk.session, window.plans, view.take_back, lambda: view.tool_name != "select", window).table(),
+        *LineActions(desk, view, window).table(),
+        *ViewActions(desk, view, window).table(),
+        *ToolActions(desk, view, window).table(),
+        *ScaleActions(desk, window).table(),
+        *WindowActions(window, window).table(),
+        *HelpActions(lambda: window.actions_by_name, desk.settings, window).table(),
+    )
+    made = ActionSet(table, desk.settings, window, view)
+    titles: tuple[tuple[MenuName, str], ...] = (
+        ("File", window.tr("&File")),
+        ("Edit", window.tr("&Edit")),
+        ("View", window.tr("&View")),
+        ("Plan", window.tr("&Plan")),
+        ("Track", window.tr("&Track")),
+        ("Segments", window.tr("Se&gments")),
+        ("Solve", window.tr("&Solve")),
+        ("Window", window.tr("&Window")),
+        ("Help", window.tr("&Help")),
+    )
+    for name, title in titles:
+        made.add_menu(window.menuBar(), name, title)
+    view.context_menu_maker = lambda: made.context_menu(view)
+    return made

@@ -1,0 +1,141 @@
+"""Docks and bars of the window: where they are at first, remembered, and put back."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication, QDockWidget, QSizePolicy, QToolBar, QToolButton, QWidget
+
+from bobdesk.ui.settings import Settings
+from bobdesk.ui.steps_bar import StepsBar
+
+if TYPE_CHECKING:
+    from bobdesk.ui.main_window import MainWindow
+
+# Another number after docks or bars were added or taken away: what was remembered of the old ones is dropped.
+_STATE = 1
+_FIRST_SIZE = QSize(1440, 900)
+_PANEL_WIDTH = 430
+_LONGEST_LABEL = 34
+
+
+class WindowLayout:
+    """The steps at the top, the tools at the left, the panel at the right."""
+
+    def __init__(self, window: MainWindow, settings: Settings) -> None:
+        self._window = window
+        self._settings = settings
+        self._top = QToolBar(window.tr("Steps"), window)
+        self._top.setObjectName("steps_tool_bar")
+        self._top.setMovable(False)
+        self._top.toggleViewAction().setEnabled(False)
+        self._top.addWidget(window.steps_bar)
+        window.steps_bar.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        window.addToolBar(Qt.ToolBarArea.TopToolBarArea, self._top)
+        self._undo = [self._undo_button(name) for name in ("undo", "redo")]
+        self._tools = QToolBar(window.tr("Tools"), window)
+        self._tools.setObjectName("tools_tool_bar")
+        self._tools.setIconSize(QSize(24, 24))
+        window.addToolBar(Qt.ToolBarArea.LeftToolBarArea, self._tools)
+        for row in window.actions_by_name.table:
+            if row.tool_bar:
+                self._tools.addAction(window.actions_by_name[row.name])
+        self.panel_dock = QDockWidget(window.tr("Panel of the step"), window)
+        self.panel_dock.setObjectName("panel_dock")
+        self.panel_dock.setWidget(window.panels.stack)
+        window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.panel_dock)
+        self._at_first: QByteArray | None = None
+        window.resize(self._first_size())
+        window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
+        window.actions_by_name.menu_of("Window").addSeparator()
+        for toggle in (self.panel_dock.toggleViewAction(), self._tools.toggleViewAction()):
+            window.actions_by_name.menu_of("Window").addAction(toggle)
+
+    def restore(self) -> None:
+        """Bring back what was remembered."""
+        self._at_first = self._window.saveState(_STATE)
+        geometry, state = self._settings.bytes_of("geometry"), self._settings.bytes_of("state")
+        if not geometry.isEmpty():
+            self._window.restoreGeometry(geometry)
+        if not state.isEmpty():
+            self._window.restoreState(state, _STATE)
+        self.show_document(self._window.has_document())
+
+    def remember(self) -> None:
+        """Remember size, place, docks and bars."""
+        self._settings.set_bytes("geometry", self._window.saveGeometry())
+        if self._window.has_document():
+            self._settings.set_bytes("state", self._window.saveState(_STATE))
+
+    def reset(self) -> None:
+        """Put everything back where it was at first."""
+        self._window.setWindowState(Qt.WindowState.WindowNoState)
+        self._window.resize(self._first_size())
+        if self._at_first is not None:
+            self._window.restoreState(self._at_first, _STATE)
+        self._window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
+
+    def show_document(self, is_open: bool) -> None:
+        """Show docks and bars with a document, and none of them on the start page."""
+        self._top.setVisible(is_open)
+        self._tools.setVisible(is_open)
+        self.panel_dock.setVisible(is_open)
+
+    def name_undo(self, undo: str | None, redo: str | None) -> None:
+        """Write on actions and buttons what would be taken back or done again."""
+        for name, label, text in (
+            ("undo", undo, self._window.tr("&Undo {step}") if undo else self._window.tr("&Undo")),
+            ("redo", redo, self._window.tr("&Redo {step}") if redo else self._window.tr("&Redo")),
+        ):
+            words = text.format(step=_in_sentence(label or ""))
+            self._window.actions_by_name[name].setText(words)
+            self._window.actions_by_name[name].setIconText(_short(words.replace("&", "")))
+
+    def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
+        """Move the focus from steps to tools, plan and panel, and round again."""
+        focus = QApplication.focusWidget()
+        parts: list[QWidget] = [steps, self._tools, view, panel]
+        at = next((index for index, part in enumerate(parts) if focus and part.isAncestorOf(focus)), None)
+        if focus is view:
+            at = 2
+        for offset in range(1, len(parts) + 1):
+            part = parts[((-1 if at is None else at) + offset) % len(parts)]
+            if part.isVisible() and _focus_into(part, steps):
+                return
+
+    def _undo_button(self, name: str) -> QToolButton:
+        button = QToolButton(self._window)
+        button.setDefaultAction(self._window.actions_by_name[name])
+        button.setAutoRaise(True)
+        if name == "undo":
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self._window.steps_bar.add_at_right(button)
+        return button
+
+    def _first_size(self) -> QSize:
+        screen = QGuiApplication.primaryScreen()
+        return _FIRST_SIZE if screen is None else _FIRST_SIZE.boundedTo(screen.availableSize())
+
+
+def _focus_into(part: QWidget, steps: StepsBar) -> bool:
+    if part is steps:
+        steps.take_focus()
+        return True
+    candidates = [part, *part.findChildren(QWidget)]
+    for widget in candidates:
+        policy = widget.focusPolicy()
+        if policy & Qt.FocusPolicy.TabFocus and widget.isVisible() and widget.isEnabled():
+            widget.setFocus(Qt.FocusReason.ShortcutFocusReason)
+            return True
+    return False
+
+
+def _in_sentence(label: str) -> str:
+    """Return a step's label as it stands within a sentence: "Move vertex" as "move vertex", "DXF" as it is."""
+    return label[:1].lower() + label[1:] if label[1:2].islower() else label
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _LONGEST_LABEL else text[: _LONGEST_LABEL - 1].rstrip() + "…"

@@ -1,0 +1,68 @@
+"""The panel of each step, made when it is first shown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtWidgets import QStackedWidget, QWidget
+
+from bobdesk.project.steps import StepName
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.panels.centreline_panel import CentrelinePanel
+from bobdesk.ui.panels.plan_panel import PlanPanel
+from bobdesk.ui.panels.scale_panel import ScalePanel
+from bobdesk.ui.plan_view.view import PlanView
+from bobdesk.ui.plans import Plans
+
+# What the panels ask for, and the tool that does it.
+_TOOLS = {"flags": "set_start", "auto trace": "auto_trace", "live wire": "live_wire", "two edges": "two_edges"}
+
+
+class WindowPanels:
+    """A stack of panels, and the wires between them and the plan view."""
+
+    def __init__(self, desk: Desk, view: PlanView, plans: Plans, window: QWidget) -> None:
+        self._desk = desk
+        self._view = view
+        self._plans = plans
+        self.stack = QStackedWidget(window)
+        self.stack.setObjectName("panels")
+        self.stack.setMinimumWidth(300)
+        self._shown: dict[StepName, QWidget] = {}
+        self._makers: dict[StepName, Callable[[], QWidget]] = {
+            "Plan": self._plan,
+            "Scale": self._scale,
+            "Centreline": self._centreline,
+        }
+
+    def show_step(self, step: StepName) -> None:
+        """Show the panel of a step."""
+        if step not in self._shown:
+            panel = self._makers[step]()
+            self._shown[step] = panel
+            self.stack.addWidget(panel)
+        self.stack.setCurrentWidget(self._shown[step])
+
+    def _take_tool(self, name: str) -> None:
+        """Take the tool that a panel asks for, and give the plan the keyboard."""
+        self._view.set_tool(_TOOLS.get(name, name))
+        self._view.setFocus()
+
+    def _plan(self) -> QWidget:
+        panel = PlanPanel(self._desk, self.stack)
+        panel.picture_wanted.connect(self._plans.new_from_picture)
+        panel.coordinates_wanted.connect(self._plans.new_from_coordinates)
+        panel.comparison_wanted.connect(self._plans.compare_with_file)
+        return panel
+
+    def _scale(self) -> QWidget:
+        panel = ScalePanel(self._desk, self.stack)
+        panel.place_wanted.connect(self._view.show_place)
+        panel.tool_wanted.connect(self._take_tool)
+        return panel
+
+    def _centreline(self) -> QWidget:
+        panel = CentrelinePanel(self._desk, self.stack)
+        panel.place_wanted.connect(self._view.show_place)
+        panel.tool_wanted.connect(self._take_tool)
+        return panel
