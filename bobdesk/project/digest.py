@@ -18,6 +18,7 @@ from bobdesk.arrays import FloatArray
 from bobdesk.plan.traced_line import Trace
 from bobdesk.project.project import Project, SourceLine
 from bobdesk.project.runs import InputsDigest
+from bobdesk.solve.settings import PUBLISHED_THRESHOLD
 
 _LENGTH = 16
 
@@ -116,8 +117,14 @@ def _targets(project: Project) -> str:
 
 def _solver(project: Project) -> str:
     settings = project.solver
-    used = settings.pgd if settings.method == "pgd" else settings.weights
-    return _digest(settings.method, _numbers(asdict(used)))
+    if settings.method == "pgd":
+        return _digest(settings.method, _numbers(asdict(settings.pgd)))
+    if settings.method != "published":
+        return _digest(settings.method, _numbers(asdict(settings.weights)))
+    # Usual values are left out, so that files from before there were other ones stay up to date.
+    others = [_number(settings.rate)] if settings.rate is not None else []
+    others += [_number(settings.threshold)] if settings.threshold != PUBLISHED_THRESHOLD else []
+    return _digest(settings.method, _numbers(asdict(settings.weights)), *others)
 
 
 def _numbers(values: dict[str, object]) -> object:

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 
 from bobdesk.solve.iterates import Method
 
+PUBLISHED_THRESHOLD = 1e-3
+
 
 @dataclass(frozen=True)
 class Weights:
@@ -83,7 +85,7 @@ class PublishedSettings:
 
     weights: Weights = field(default_factory=Weights)
     rate: float | None = None
-    threshold: float = 1e-3
+    threshold: float = PUBLISHED_THRESHOLD
     first_derivative: float = -100.0
     max_iterations: int = 200_000
 
@@ -124,9 +126,12 @@ class SolverSettings:
         a, b, c, d of the published objective, for all other methods.
     rate
         η of the published method, or None for its usual value.
+    threshold
+        δ of the published method.
     """
 
     method: Method = "pgd"
     pgd: PgdSettings = field(default_factory=PgdSettings)
     weights: Weights = field(default_factory=Weights)
     rate: float | None = None
+    threshold: float = PUBLISHED_THRESHOLD
