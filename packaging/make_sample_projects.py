@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from bobdesk.files.importers.formats import read_line
 from bobdesk.files.pictures import read_picture
 from bobdesk.files.project_file import save_project
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
@@ -16,25 +17,39 @@ from bobdesk.plan.trace import trace_line
 from bobdesk.progress import finish
 from bobdesk.project import edits
 from bobdesk.project.new_run import new_run
-from bobdesk.project.project import ActualTrack, Picture, Project
+from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine
 from bobdesk.solve.targets import KnownElevation
 
 SAMPLES = Path(__file__).parent.parent / "resources" / "samples"
 
 
 def main() -> None:
-    save(made_double(), "made_double")
+    save(made("made_double", "A made track, two edges"), "made_double")
+    save(made("made_thin", "A made track, a thin line"), "made_thin")
     save(mugello(), "mugello")
+    for sample, name, title in (
+        ("cortina_2026_design", "plan.csv", "Cortina 2026, from design figures"),
+        ("sa_calobra", "sa_calobra.csv", "Sa Calobra, descent"),
+        ("franciacorta", "franciacorta.csv", "Franciacorta, descent"),
+    ):
+        save(surveyed(sample, name, title), sample)
 
 
-def made_double() -> Project:
-    """A made track, drawn as two edges, with four control points."""
-    truth = json.loads((SAMPLES / "made_double" / "truth.json").read_text())
-    table = np.genfromtxt(SAMPLES / "made_double" / "truth.csv", delimiter=",", names=True)
-    project = opened("made_double", "plan.jpg", "A made track")
+def made(sample: str, title: str) -> Project:
+    """A made track with four control points, as an analyst would have it."""
+    folder = SAMPLES / sample
+    truth = json.loads((folder / "truth.json").read_text())
+    table = np.genfromtxt(folder / "truth.csv", delimiter=",", names=True)
+    project = opened(sample, "plan.jpg", title)
+    width, height = project.picture.size_px
     scale = truth["metres_per_pixel"]
     first = table[0]
-    for name, x_px, y_px in (("A", 120.0, 90.0), ("B", 1770.0, 95.0), ("C", 1765.0, 980.0), ("D", 125.0, 975.0)):
+    for name, x_px, y_px in (
+        ("A", 120.0, 90.0),
+        ("B", width - 118.0, 95.0),
+        ("C", width - 123.0, height - 79.0),
+        ("D", 125.0, height - 84.0),
+    ):
         east = first["x_m"] + (x_px - first["px"]) * scale
         north = first["y_m"] - (y_px - first["py"]) * scale
         # Read off a grid to 0.1 m.
@@ -47,7 +62,7 @@ def made_double() -> Project:
         "start – half way",
     )
     project = edits.add_check_distance(project, check)
-    project = traced(project, SAMPLES / "made_double" / "plan.jpg", [truth["start_px"], truth["end_px"]])
+    project = traced(project, folder / "plan.jpg", [truth["start_px"], truth["end_px"]])
     project = edits.set_length(project, round(truth["length_m"], 1))
     project = edits.set_drop(project, round(truth["drop_m"], 1))
     for share in (0.25, 0.5, 0.75):
@@ -71,6 +86,24 @@ def mugello() -> Project:
     table = np.genfromtxt(SAMPLES / "mugello" / "mugello.csv", delimiter=",", names=True)
     actual = ActualTrack("mugello.csv", np.column_stack([table["x_m"], table["y_m"], table["z_m"]]))
     return solved(edits.compare_with(project, actual))
+
+
+def surveyed(sample: str, name: str, title: str) -> Project:
+    """A line with elevations: it is solved from its plan, length, drop and three elevations."""
+    path = SAMPLES / sample / name
+    found = read_line(path)
+    points = np.column_stack([found.polyline.vertices, found.elevations])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(points[:, :2], axis=0).T))])
+    low = points[:, 2].min()
+    project = edits.name_project(edits.open_coordinates(Project(), SourceLine(path.name, found.polyline)), title)
+    project = edits.set_length(project, round(float(np.linalg.norm(np.diff(points, axis=0), axis=1).sum()), 2))
+    project = edits.set_drop(project, round(float(points[0, 2] - low), 2))
+    for share in (0.25, 0.5, 0.75):
+        at = int(np.searchsorted(along, share * along[-1]))
+        project = edits.add_known_elevation(
+            project, KnownElevation(round(float(along[at]), 2), round(float(points[at, 2] - low), 2))
+        )
+    return solved(edits.compare_with(project, ActualTrack(path.name, points)))
 
 
 def opened(sample: str, name: str, title: str) -> Project:

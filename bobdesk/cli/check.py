@@ -19,7 +19,8 @@ from bobdesk.cli.options import (
     target_options,
 )
 from bobdesk.cli.reports import check_report
-from bobdesk.cli.steps import check_outputs, plan_and_segments, targets_from, to_json
+from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json
+from bobdesk.cli.targets import taken_target_options
 from bobdesk.files.atomic import write_atomic
 from bobdesk.solve.feasibility import feasibility
 
@@ -34,8 +35,8 @@ from bobdesk.solve.feasibility import feasibility
 @strict_option
 def command(
     plan: Path,
-    spacing: float,
-    wavelength: float,
+    spacing: float | None,
+    wavelength: float | None,
     count: int | None,
     threshold: float | None,
     segments: Path | None,
@@ -44,20 +45,20 @@ def command(
     **options: Any,
 ) -> None:
     """Say whether the figures can hold together for PLAN: what conflicts, with numbers, and what to doubt."""
-    targets = targets_from(**options)
+    asked = taken_target_options(plan, **options)
     check_outputs([report], inputs=[plan, segments])
     given = plan_and_segments(
         plan,
-        targets,
+        asked,
         spacing=spacing,
         wavelength=wavelength,
         count=count,
         threshold=threshold,
         segments_from=segments,
     )
-    found = feasibility(given.centreline, given.segments, given.targets)
+    found = feasibility(given.centreline, given.segments, given.targets, given.solver.pgd)
     if report is not None:
-        write_atomic(report, to_json(check_report(given, targets, found)))
+        write_atomic(report, to_json(check_report(given, found)))
     if strict and not found.feasible:
         raise UnmetTargetsError(found.sentence)
     click.echo(found.sentence)

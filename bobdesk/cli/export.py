@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from bobdesk.cli.options import FILE
+from bobdesk.cli.project_runs import shown_run
 from bobdesk.cli.steps import check_outputs
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
@@ -15,9 +16,7 @@ from bobdesk.files.exporters.formats import export_format_of, export_formats, ex
 from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.files.project_file import is_project, load_project
 from bobdesk.plan.projection import Georeference
-from bobdesk.project.derive_runs import run_line, why_out_of_date
-from bobdesk.project.project import Project
-from bobdesk.project.runs import Run
+from bobdesk.project.derive_runs import run_georeference, run_line
 from bobdesk.track.centreline3d import Centreline3D
 
 
@@ -66,26 +65,11 @@ def command(project: Path, output: Path, wanted: str | None, flavour: str, run_n
 def _line_of(path: Path, run_name: str | None) -> tuple[Centreline3D, Georeference | None]:
     if is_project(path):
         project = load_project(path)
-        run = _run(project, path, run_name)
-        changed = why_out_of_date(project, run)
-        if changed is not None:
-            click.echo(f"note: {path}: the result is out of date: {changed}", err=True)
-        return run_line(run), None
+        run = shown_run(project, path, name=run_name)
+        return run_line(run), run_georeference(project, run)
     if run_name is not None:
         raise click.UsageError(f"--run is for projects; {path} is none")
     found = read_line3d(path)
     for note in found.notes:
         click.echo(f"note: {path}: {note}", err=True)
     return found.line, found.georeference
-
-
-def _run(project: Project, path: Path, wanted: str | None) -> Run:
-    if wanted is not None:
-        found = [run for run in project.runs if run.name == wanted]
-        if not found:
-            names = ", ".join(run.name for run in project.runs) or "none"
-            raise InputError(f"{path}: there is no run named {wanted}; there are {names}")
-        return found[-1]
-    if project.run is None:
-        raise InputError(f"{path}: the project has no result yet; solve it first")
-    return project.run

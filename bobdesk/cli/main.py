@@ -8,6 +8,7 @@ from collections.abc import Sequence
 import click
 
 from bobdesk import __version__
+from bobdesk.cli.window import open_window, wants_window
 from bobdesk.errors import InputError, TargetError
 
 DONE, WRONG_CALL, UNUSABLE_INPUT, UNMET_TARGETS = 0, 2, 3, 4
@@ -52,7 +53,8 @@ class _Commands(click.Group):
 def bobdesk() -> None:
     """From the plan of a bobsleigh track to a 3D centreline for simulation.
 
-    Give a plan in metres, the track's length and its height difference:
+    Without a command the window opens: bobdesk [FILE], on a project, a picture or coordinates.
+    Commands work without it. Give a plan in metres, the track's length and its height difference:
 
     \b
       bobdesk check PLAN.csv --length 1300 --drop 120
@@ -65,10 +67,9 @@ def bobdesk() -> None:
 def run(arguments: Sequence[str]) -> int:
     """Run a command and return the exit status; every failure says one sentence on stderr."""
     try:
+        if wants_window(arguments, COMMANDS):
+            return open_window(arguments[0] if arguments else None)
         bobdesk.main(list(arguments), prog_name="bobdesk", standalone_mode=False)
-    except click.exceptions.NoArgsIsHelpError as error:
-        click.echo(error.format_message(), err=True)
-        return WRONG_CALL
     except click.ClickException as error:
         return _failed(error.format_message(), WRONG_CALL)
     except click.exceptions.Exit as stop:

@@ -45,7 +45,8 @@ def _spread(args: list[str], option: str, pattern: re.Pattern[str]) -> list[str]
     return result
 
 
-def _combined(*decorators: Callable[[Function], Function]) -> Callable[[Function], Function]:
+def combined(*decorators: Callable[[Function], Function]) -> Callable[[Function], Function]:
+    """Return several decorators as one."""
     return lambda function: reduce(lambda inner, decorate: decorate(inner), reversed(decorators), function)
 
 
@@ -62,26 +63,24 @@ def _within(lowest: float, highest: float) -> Callable[..., float | None]:
 
 plan_argument = click.argument("plan", type=FILE)
 
-plan_options = _combined(
+plan_options = combined(
     click.option(
         "--spacing",
         type=float,
-        default=1.0,
-        show_default=True,
+        show_default="1, or a project's",
         callback=_within(0.1, 10),
         help="Distance between stations (rows of the result), m.",
     ),
     click.option(
         "--wavelength",
         type=float,
-        default=15.0,
-        show_default=True,
+        show_default="15, or a project's",
         callback=_within(0, 200),
         help="Smoothing: waves shorter than this are taken for noise, m. 20 suits clicks by hand, 0 is none.",
     ),
 )
 
-segment_options = _combined(
+segment_options = combined(
     click.option(
         "--count", type=click.IntRange(min=1), help="Wanted number of segments; found automatically without it."
     ),
@@ -93,26 +92,24 @@ segment_options = _combined(
     ),
 )
 
-target_options = _combined(
-    click.option("--length", type=float, required=True, help="3D length of the track, m."),
-    click.option("--drop", type=float, required=True, help="Height difference from start to lowest point, m."),
+target_options = combined(
+    click.option("--length", type=float, help="3D length of the track, m; a project as PLAN brings its own."),
+    click.option("--drop", type=float, help="Height difference from start to lowest point, m; likewise."),
     click.option("--mean-gradient", type=float, help="Mean gradient, as a number: 0.105 is 10.5 %."),
     click.option(
         "--mean-gradient-is",
         type=click.Choice(["drop-per-length", "drop-per-plan", "segments"]),
-        default="drop-per-length",
-        show_default=True,
+        show_default="drop-per-length",
         help="How that mean is defined. The first two follow from length and drop and are only checked;"
         " the mean over the segments' gradients is held.",
     ),
     click.option(
         "--min-gradient",
         type=float,
-        default=-0.2,
-        show_default=True,
+        show_default="-0.2",
         help="Smallest gradient, as a number: fall per metre of plan, uphill is < 0.",
     ),
-    click.option("--max-gradient", type=float, default=0.25, show_default=True, help="Largest gradient, as a number."),
+    click.option("--max-gradient", type=float, show_default="0.25", help="Largest gradient, as a number."),
     click.option(
         "--known",
         multiple=True,

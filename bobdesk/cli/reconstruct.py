@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from pathlib import Path
-from typing import Any, cast, get_args
+from typing import Any
 
 import click
 import numpy as np
@@ -21,22 +21,21 @@ from bobdesk.cli.options import (
     target_options,
 )
 from bobdesk.cli.reports import run_report
-from bobdesk.cli.steps import check_outputs, plan_and_segments, targets_from, to_json, with_progress
+from bobdesk.cli.solver import solver_options, taken_solver_options
+from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json, with_progress
+from bobdesk.cli.targets import taken_target_options
 from bobdesk.errors import TargetError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
+from bobdesk.files.solvers import solve_with_plugins, solver_methods
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
-from bobdesk.solve.iterates import Method
-from bobdesk.solve.run import solve
-from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
+from bobdesk.solve.run import SolverMethod, method_named
+from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
-
-_METHODS = get_args(Method)
-_WITHOUT_KNOWN = ("published", "lbfgsb", "de")
 
 
 @click.command("reconstruct", cls=SeveralValues)
@@ -46,34 +45,7 @@ _WITHOUT_KNOWN = ("published", "lbfgsb", "de")
 @plan_options
 @segment_options
 @click.option("--segments", type=FILE, metavar="FILE", help="Use these segments instead of finding them.")
-@click.option(
-    "--method",
-    type=click.Choice(_METHODS),
-    default="pgd",
-    show_default=True,
-    help="pgd is recommended: it holds drop and known elevations exactly. published is the paper's, the others are"
-    " SciPy's on the paper's objective, to compare with.",
-)
-@click.option("--weight-length", type=float, default=1.0, show_default=True, help="a of the published objective.")
-@click.option("--weight-height", type=float, default=1.0, show_default=True, help="b of the published objective.")
-@click.option("--weight-curvature", type=float, default=1.0, show_default=True, help="c of the published objective.")
-@click.option("--weight-gradient", type=float, default=1.0, show_default=True, help="d of the published objective.")
-@click.option(
-    "--rate", type=float, help="Learning rate of the published method; 1e-5, and less where the scale is unknown."
-)
-@click.option(
-    "--transition", type=float, default=8.0, show_default=True, help="Length of vertical transitions, m (pgd)."
-)
-@click.option(
-    "--level-out",
-    type=float,
-    default=30.0,
-    show_default=True,
-    help="A lowest point is level: let the gradient die out over this length before an end there, m (pgd).",
-)
-@click.option(
-    "--meet-length/--smoothest", default=True, show_default=True, help="Meet the length, or stay smoothest (pgd)."
-)
+@solver_options
 @click.option(
     "--flavour",
     type=click.Choice(["default", "excel-european", "tab", "xyz"]),
@@ -90,20 +62,11 @@ _WITHOUT_KNOWN = ("published", "lbfgsb", "de")
 def command(
     plan: Path,
     output: Path,
-    spacing: float,
-    wavelength: float,
+    spacing: float | None,
+    wavelength: float | None,
     count: int | None,
     threshold: float | None,
     segments: Path | None,
-    method: str,
-    weight_length: float,
-    weight_height: float,
-    weight_curvature: float,
-    weight_gradient: float,
-    rate: float | None,
-    transition: float,
-    level_out: float,
-    meet_length: bool,
     flavour: str,
     report: Path | None,
     band: Path | None,
@@ -113,49 +76,38 @@ def command(
 ) -> None:
     """Make the 3D centreline of PLAN (CSV with x_m and y_m, or any format that is read) from length and drop.
 
+    A project (.bobdesk) brings its targets, limits, known elevations, segments and settings; what the
+    command line says goes before them.
+
     Drop and known elevations hold exactly; the length is met where it can be. What cannot be met is
     said, and `bobdesk check` says it beforehand.
     """
-    targets = targets_from(**options)
+    solver = taken_solver_options(options)
+    asked = taken_target_options(plan, **options)
     check_outputs([output, report, band, picture], inputs=[plan, segments])
     if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
         raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
-    if not 0 <= transition <= 200:
-        raise click.UsageError(f"--transition must lie between 0 and 200 m, not {transition:g}")
-    if not 0 <= level_out <= 1000:
-        raise click.UsageError(f"--level-out must lie between 0 and 1000 m, not {level_out:g}")
-    weights = Weights(weight_length, weight_height, weight_curvature, weight_gradient)
-    if not all(
-        0 <= weight < float("inf") for weight in (weight_length, weight_height, weight_curvature, weight_gradient)
-    ):
-        raise click.UsageError("the weights must be numbers of 0 or more")
-    if rate is not None and not 0 < rate < float("inf"):
-        raise click.UsageError(f"--rate must be more than 0, not {rate:g}")
-    settings = SolverSettings(
-        method=cast(Method, method),
-        pgd=PgdSettings(transition=transition, level_out=level_out, meet_length=meet_length),
-        weights=weights,
-        rate=rate,
-    )
     given = plan_and_segments(
         plan,
-        targets,
+        asked,
         spacing=spacing,
         wavelength=wavelength,
         count=count,
         threshold=threshold,
         segments_from=segments,
     )
+    settings = solver.on(given.solver)
+    method = method_named(settings.method, solver_methods().formats)
     possible = feasibility(given.centreline, given.segments, given.targets, settings.pgd)
     if strict and not possible.feasible:
         raise UnmetTargetsError(possible.sentence)
 
     started = time.perf_counter()
-    run = solve(given.centreline, given.segments, given.targets, settings)
+    run = solve_with_plugins(given.centreline, given.segments, given.targets, settings)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        solution = with_progress(run, method)
+        solution = with_progress(run, method.key)
     if not np.isfinite([solution.objective, solution.scale, *solution.gradients]).all():
-        raise TargetError(f"the method {method} ran off to infinity on these figures; use the method pgd")
+        raise TargetError(f"the method {method.key} ran off to infinity on these figures; use the method pgd")
     seconds = time.perf_counter() - started
     line = make_centreline3d(given.centreline, given.segments, solution)
     found = figures(line)
@@ -176,11 +128,11 @@ def command(
             line, shown, in_scale(given.targets, solution.scale), title=_title(plan, found), kind=picture.suffix.lower()
         )
     if report is not None:
-        off = deviations(found, targets)
-        files[report] = to_json(run_report(given, targets, possible, solution, line, found, off, seconds))
+        off = deviations(found, given.asked)
+        files[report] = to_json(run_report(given, possible, solution, line, found, off, seconds))
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
-    notes = _notes(possible, method, targets, weights)
+    notes = _notes(possible, method, given.asked, settings.weights)
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
@@ -193,12 +145,12 @@ def _title(plan: Path, found: Figures) -> str:
     )
 
 
-def _notes(possible: Feasibility, method: str, targets: Targets, weights: Weights) -> list[str]:
+def _notes(possible: Feasibility, method: SolverMethod, targets: Targets, weights: Weights) -> list[str]:
     """Say what a user may think was heeded and was not."""
     notes = [possible.sentence] if not possible.feasible else [possible.doubt] if possible.doubt else []
-    if method in _WITHOUT_KNOWN and targets.known:
-        notes.append(f"the method {method} has no known elevations; they were left out")
-    if method == "pgd" and weights != Weights():
+    if not method.holds_known and targets.known:
+        notes.append(f"the method {method.key} has no known elevations; they were left out")
+    if method.key == "pgd" and weights != Weights():
         notes.append("the weights are those of the published objective; the method pgd has none")
     return notes
 

@@ -15,10 +15,10 @@ from bobdesk.track.comparison import Comparison
 from bobdesk.track.figures import Deviations, Figures
 
 
-def check_report(given: PlanInput, targets: Targets, found: Feasibility) -> dict[str, Any]:
+def check_report(given: PlanInput, found: Feasibility) -> dict[str, Any]:
     """Return what `check` found."""
     return {
-        "targets": _targets(targets),
+        "targets": _targets(given.asked),
         "scale": None if found.scale is None else found.scale * given.factor,
         "plan_length_m": found.plan_length / given.factor,
         "feasible": found.feasible,
@@ -29,7 +29,6 @@ def check_report(given: PlanInput, targets: Targets, found: Feasibility) -> dict
 
 def run_report(
     given: PlanInput,
-    targets: Targets,
     found: Feasibility,
     solution: Solution,
     line: Centreline3D,
@@ -39,7 +38,7 @@ def run_report(
 ) -> dict[str, Any]:
     """Return what `reconstruct` found."""
     return {
-        **check_report(given, targets, found),
+        **check_report(given, found),
         "scale": solution.scale * given.factor,
         "achieved": {
             "length_m": figures.length,

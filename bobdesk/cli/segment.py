@@ -6,8 +6,6 @@ from pathlib import Path
 
 import click
 
-from bobdesk.alignment.segmentation import detect_segments
-from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.cli.options import FILE, plan_argument, plan_options, segment_options
 from bobdesk.cli.steps import check_outputs, fitted_plan
 from bobdesk.files.atomic import write_atomic
@@ -20,7 +18,12 @@ from bobdesk.files.exporters.tables import segments_table
 @plan_options
 @segment_options
 def command(
-    plan: Path, output: Path, spacing: float, wavelength: float, count: int | None, threshold: float | None
+    plan: Path,
+    output: Path,
+    spacing: float | None,
+    wavelength: float | None,
+    count: int | None,
+    threshold: float | None,
 ) -> None:
     """Find the straights and curves of PLAN: CSV with the columns x_m and y_m, or any format that is read.
 
@@ -28,8 +31,7 @@ def command(
     it, and hand it to `bobdesk reconstruct --segments`.
     """
     check_outputs([output], inputs=[plan])
-    centreline = fitted_plan(plan, spacing=spacing, wavelength=wavelength)
-    segments = detect_segments(centreline, SegmentationSettings(threshold=threshold, count=count))
+    centreline, segments = fitted_plan(plan, spacing=spacing, wavelength=wavelength, count=count, threshold=threshold)
     write_atomic(output, segments_table(centreline, segments))
     curves = sum(segment.kind == "curve" for segment in segments)
     click.echo(

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import re
 import sys
 import time
 from collections.abc import Generator, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -17,22 +16,21 @@ from bobdesk.alignment.centreline import Centreline, fit_centreline
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation import detect_segments
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segments
-from bobdesk.cli.project_plan import line_of_project
+from bobdesk.alignment.segments import Segments, stretched
+from bobdesk.cli.targets import TargetOptions, targets_of
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import check_writable
+from bobdesk.files.atomic import check_writable, resolved
 from bobdesk.files.importers.formats import import_formats, read_line
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
-from bobdesk.files.project_file import is_project
 from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import Progress
-from bobdesk.solve.targets import DEFINITIONS, KnownElevation, Targets, check_targets, in_scale
+from bobdesk.solve.settings import SolverSettings
+from bobdesk.solve.targets import Targets, in_scale
 
 Result = TypeVar("Result")
 _QUIET_FOR = 0.5
 _BAR = 30
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 
 
 @dataclass(frozen=True)
@@ -45,12 +43,18 @@ class PlanInput:
         In the same scale.
     factor
         By which the plan was multiplied first: 1 where its scale is known.
+    asked
+        The targets as they were given, in the plan's own scale.
+    solver
+        A project's settings of the solver, else the usual ones.
     """
 
     centreline: Centreline
     segments: Segments
     targets: Targets
     factor: float
+    asked: Targets
+    solver: SolverSettings
 
 
 def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | None]) -> None:
@@ -58,60 +62,93 @@ def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | Non
     given = [path for path in outputs if path is not None]
     for path in given:
         check_writable(path)
-    places = [path.resolve() for path in given]
+    places = [resolved(path) for path in given]
     if len(set(places)) < len(places):
         raise click.UsageError("two outputs have the same name")
     read = [path for path in inputs if path is not None]
     for path, place in zip(given, places, strict=True):
-        if any(place == other.resolve() for other in read):
+        if any(_leads_to(other, place) for other in read):
             raise click.UsageError(f"{path}: the output would overwrite an input; give it another name")
+
+
+def _leads_to(path: Path, place: Path) -> bool:
+    try:
+        return resolved(path) == place
+    except OSError:  # a link in a circle leads nowhere; reading it says so
+        return False
 
 
 def read_plan(path: Path) -> ImportedLine:
     """Read a plan and say on stderr what was changed or assumed."""
     for finding in import_formats().findings:
         click.echo(f"note: {finding.sentence}", err=True)
-    line = line_of_project(path) if is_project(path) else read_line(path)
+    line = read_line(path)
     for note in line.notes:
         click.echo(f"note: {path}: {note}", err=True)
     return line
 
 
-def fitted_plan(path: Path, *, spacing: float, wavelength: float) -> Centreline:
-    """Read a plan and fit its centreline."""
-    return _fitted(path, read_plan(path).polyline, FitSettings(spacing, wavelength))
+def fitted_plan(
+    path: Path, *, spacing: float | None, wavelength: float | None, count: int | None, threshold: float | None
+) -> tuple[Centreline, Segments]:
+    """Read a plan, fit its centreline, and return it with the segments in force."""
+    found = read_plan(path)
+    centreline = _fitted(path, found.polyline, _fit_settings(found, spacing, wavelength))
+    return centreline, _segments(path, found, centreline, count, threshold)
 
 
 def plan_and_segments(
     path: Path,
-    targets: Targets,
+    options: TargetOptions,
     *,
-    spacing: float,
-    wavelength: float,
+    spacing: float | None,
+    wavelength: float | None,
     count: int | None,
     threshold: float | None,
     segments_from: Path | None,
 ) -> PlanInput:
-    """Read the plan, fit it and find its segments.
+    """Read the plan, fit it and find its segments; a project brings what the command line leaves open.
 
     A plan of unknown scale is first enlarged to about the wanted length, so that spacing, smoothing
     and curvature threshold mean metres.
     """
     if segments_from is not None and (count is not None or threshold is not None):
         raise click.UsageError("--segments gives the segments, so --count and --threshold cannot be given too")
-    polyline = read_plan(path).polyline
-    factor = 1.0
+    found = read_plan(path)
+    asked = targets = targets_of(options, found.project, plan=path)
+    polyline, factor = found.polyline, 1.0
     if targets.unknown_scale:
         drawn = float(edge_lengths(polyline).sum())
         factor = (targets.length**2 - targets.drop**2) ** 0.5 / drawn
         polyline = Polyline(factor * polyline.vertices)
         targets = in_scale(targets, factor)
-    centreline = _fitted(path, polyline, FitSettings(spacing, wavelength))
+    centreline = _fitted(path, polyline, _fit_settings(found, spacing, wavelength))
     if segments_from is not None:
         segments = read_segments(segments_from, length=centreline.length, scale=factor)
     else:
-        segments = detect_segments(centreline, SegmentationSettings(threshold=threshold, count=count))
-    return PlanInput(centreline, segments, targets, factor)
+        segments = _segments(path, found, centreline, count, threshold)
+    solver = SolverSettings() if found.project is None else found.project.solver
+    return PlanInput(centreline, segments, targets, factor, asked, solver)
+
+
+def _fit_settings(found: ImportedLine, spacing: float | None, wavelength: float | None) -> FitSettings:
+    usual = FitSettings() if found.project is None else found.project.fit
+    return FitSettings(
+        usual.spacing if spacing is None else spacing, usual.wavelength if wavelength is None else wavelength
+    )
+
+
+def _segments(
+    path: Path, found: ImportedLine, centreline: Centreline, count: int | None, threshold: float | None
+) -> Segments:
+    """Return the file's own segments, unless the command line asks for others to be found."""
+    usual = SegmentationSettings() if found.project is None else found.project.segmentation
+    if count is not None or threshold is not None:
+        usual = replace(usual, count=count, threshold=threshold)
+    elif found.segments is not None:
+        click.echo(f"note: {path}: its own {len(found.segments)} segments are used", err=True)
+        return stretched(found.segments, centreline.length)
+    return detect_segments(centreline, usual)
 
 
 def _fitted(path: Path, polyline: Polyline, settings: FitSettings) -> Centreline:
@@ -119,44 +156,6 @@ def _fitted(path: Path, polyline: Polyline, settings: FitSettings) -> Centreline
         return fit_centreline(polyline, settings)
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
-
-
-def targets_from(
-    *,
-    length: float,
-    drop: float,
-    mean_gradient: float | None,
-    mean_gradient_is: str,
-    min_gradient: float,
-    max_gradient: float,
-    known: Iterable[str],
-    unknown_scale: bool,
-) -> Targets:
-    """Make targets of the options; what is no usable figure is a wrong call."""
-    definition = next(name for name in DEFINITIONS if name == mean_gradient_is)
-    try:
-        return check_targets(
-            Targets(
-                length=length,
-                drop=drop,
-                mean_gradient=mean_gradient,
-                mean_gradient_is=definition,
-                min_gradient=min_gradient,
-                max_gradient=max_gradient,
-                known=tuple(_known(text) for text in known),
-                unknown_scale=unknown_scale,
-            )
-        )
-    except InputError as error:
-        raise click.UsageError(str(error)) from error
-
-
-def _known(text: str) -> KnownElevation:
-    parts = text.split(":")
-    numbers = [float(part) for part in parts if _NUMBER.fullmatch(part.strip())]
-    if len(numbers) not in (2, 3) or len(numbers) < len(parts):
-        raise click.UsageError(f"--known takes STATION:ELEVATION, two numbers in metres such as 250:98.5, not '{text}'")
-    return KnownElevation(*numbers)
 
 
 def with_progress(job: Generator[Any, None, Result], doing: str) -> Result:

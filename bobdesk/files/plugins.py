@@ -1,7 +1,8 @@
-"""Formats from other packages, through entry points; one that fails is told of, and does no harm."""
+"""Formats and solvers from other packages, through entry points; one that fails is told of, and does no harm."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.metadata import EntryPoint, entry_points
@@ -15,6 +16,7 @@ class _Keyed(Protocol):
 
 
 Format = TypeVar("Format", bound=_Keyed)
+_KEY = re.compile(r"[a-z0-9][a-z0-9_.-]{0,39}")
 
 
 @dataclass(frozen=True)
@@ -36,7 +38,7 @@ class PluginFinding:
 
 @dataclass(frozen=True)
 class Plugins(Generic[Format]):
-    """Formats that can be used, the built-in ones first, and findings on those that cannot."""
+    """Formats or methods that can be used, the built-in ones first, and findings on those that cannot."""
 
     formats: tuple[Format, ...]
     findings: tuple[PluginFinding, ...]
@@ -59,14 +61,20 @@ def find_plugins(group: str, kind: type[Format], *, built_in: tuple[Format, ...]
     for point, loaded, problem in _loaded(group):
         if problem is None and not isinstance(loaded, kind):
             problem = f"it is a {type(loaded).__name__}, not a {kind.__name__}"
-        elif problem is None and isinstance(loaded, kind) and any(known.key == loaded.key for known in formats):
-            problem = f"there is a format '{loaded.key}' already"
+        elif problem is None and isinstance(loaded, kind):
+            problem = _wrong_key(loaded.key, [known.key for known in formats])
         if problem is not None:
             sentence = f"the plug-in {point.name} ({point.value}) cannot be used: {problem}"
             findings.append(PluginFinding(group, point.name, sentence))
         elif isinstance(loaded, kind):
             formats.append(loaded)
     return Plugins(tuple(formats), tuple(findings))
+
+
+def _wrong_key(key: object, taken: list[str]) -> str | None:
+    if not (isinstance(key, str) and _KEY.fullmatch(key)):
+        return "its key is no short name in lower case"
+    return f"there is a '{key}' already" if key in taken else None
 
 
 @lru_cache(maxsize=8)

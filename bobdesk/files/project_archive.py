@@ -58,6 +58,8 @@ def read_archive(path: Path) -> Mapping[str, bytes]:
     InputError
         If it is missing, unreadable, no ZIP, damaged, or over a limit; the sentence does not name it.
     """
+    if "\0" in str(path):
+        raise InputError("there is no such file")
     try:
         if path.is_dir():
             raise InputError("this is a folder, not a file")
@@ -70,6 +72,26 @@ def read_archive(path: Path) -> Mapping[str, bytes]:
         raise InputError("there is no such file") from None
     except OSError as error:
         raise InputError(f"cannot be read: {reason(error)}") from error
+    except _DAMAGED as error:
+        raise InputError("the file is damaged: it is no whole ZIP archive") from error
+
+
+def begins_like_a_project(head: bytes) -> bool:
+    """Return whether a file that begins with `head` (42 bytes or more) is a ZIP whose first entry is a project's."""
+    # The name of a ZIP's first entry stands behind its 30 bytes of header.
+    return head.startswith(b"PK\x03\x04") and head[30:].startswith(DOCUMENT.encode())
+
+
+def entries_in(data: bytes) -> Mapping[str, bytes]:
+    """Return the entries of a project file's bytes, as `read_archive` does.
+
+    Raises
+    ------
+    InputError
+        If they are no ZIP, damaged, or over a limit; the sentence does not name the file.
+    """
+    try:
+        return _entries(io.BytesIO(data), len(data))
     except _DAMAGED as error:
         raise InputError("the file is damaged: it is no whole ZIP archive") from error
 

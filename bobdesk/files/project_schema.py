@@ -118,6 +118,7 @@ class SegmentEntry(_Strict):
     end: float
     locked: bool
     name: str
+    by_hand: bool = False
 
 
 MeanIs = Literal["drop-per-length", "drop-per-plan", "segments"]
@@ -175,7 +176,7 @@ class WeightsEntry(_Strict):
 class SolverEntry(_Strict):
     """A SolverSettings."""
 
-    method: Literal["pgd", "published", "lbfgsb", "slsqp", "de"]
+    method: str
     pgd: PgdEntry
     weights: WeightsEntry
     rate: float | None

@@ -8,7 +8,7 @@ window shows a project before that is loaded.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Generic, TypeVar
 
@@ -16,7 +16,7 @@ import numpy as np
 
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segments
+from bobdesk.alignment.segments import Segment, Segments, stretched
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError, TargetError
 from bobdesk.plan.calibration import (
@@ -32,6 +32,7 @@ from bobdesk.plan.calibration_fit import CalibrationFit, fit_calibration
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, edge_lengths, polyline_from_points
 from bobdesk.plan.polyline_geometry import arc_lengths, part_between
+from bobdesk.plan.projection import Georeference
 from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import CalibrationChoice, Extent, Project, SourceLine
@@ -110,6 +111,18 @@ def polyline(project: Project) -> Derived[Polyline]:
     if found.value is None:
         return Derived(None, found.problem)
     return _polyline(project.trace, found.value, project.extent)
+
+
+def georeference(project: Project) -> Georeference | None:
+    """Return where the polyline's origin lies on the Earth, or None if nothing says so.
+
+    World files and GeoTIFF tags give metres in a grid that BobDesk does not know, so a picture has none;
+    nor has a plan of unknown scale, whose metres are not metres on the ground.
+    """
+    source = project.source
+    if source is None or source.longitude is None or source.latitude is None or not scale_is_known(project):
+        return None
+    return Georeference(source.longitude, source.latitude)
 
 
 def plan_factor(project: Project) -> float:
@@ -321,20 +334,17 @@ def _detected(line: Centreline, settings: SegmentationSettings) -> Derived[Segme
 
 @lru_cache(maxsize=8)
 def _stretched(stored: Segments, length: float) -> Derived[Segments]:
-    factor = length / stored[-1].end
-    if factor == 1.0:
-        return Derived(stored)
-    edges = [0.0, *(factor * segment.end for segment in stored[:-1]), length]
-    return Derived(
-        tuple(
-            replace(segment, start=start, end=end)
-            for segment, start, end in zip(stored, edges[:-1], edges[1:], strict=True)
-        )
-    )
+    return Derived(stretched(stored, length))
 
 
 @lru_cache(maxsize=8)
 def _segment_figures(line: Centreline, found: Segments) -> tuple[SegmentFigures, ...]:
+    return tuple(figures_of_one(line, segment) for segment in found)
+
+
+@lru_cache(maxsize=4096)
+def figures_of_one(line: Centreline, segment: Segment) -> SegmentFigures:
+    """Return radius, turn and fit of one segment; of hundreds, a drag changes two."""
     from bobdesk.alignment.segment_figures import segment_figures as figures_of_segment
 
-    return tuple(figures_of_segment(line, segment) for segment in found)
+    return figures_of_segment(line, segment)

@@ -8,6 +8,8 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from bobdesk.plan.projection import Georeference
+from bobdesk.project import derive
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
@@ -21,6 +23,8 @@ from bobdesk.track.figures import Deviations, deviations
 if TYPE_CHECKING:
     from bobdesk.alignment.centreline import Centreline
     from bobdesk.track.centreline3d import Centreline3D
+
+_SAME_SCALE = 1e-12
 
 
 def why_out_of_date(project: Project, run: Run) -> str | None:
@@ -93,6 +97,16 @@ def run_line(run: Run) -> Centreline3D:
     from bobdesk.track.centreline3d import make_centreline3d
 
     return make_centreline3d(run_centreline(run), run.inputs.segments, run_solution(run))
+
+
+def run_georeference(project: Project, run: Run) -> Georeference | None:
+    """Return where the origin of a run's line lies on the Earth, or None if nothing says so.
+
+    A run on another plan than the project's present one, or one that found a scale, does not lie there.
+    """
+    if inputs_digest(project).plan != run.digest.plan or abs(run.inputs.factor * run.scale - 1) > _SAME_SCALE:
+        return None
+    return derive.georeference(project)
 
 
 def run_deviations(run: Run) -> Deviations:

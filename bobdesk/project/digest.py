@@ -21,6 +21,7 @@ from bobdesk.project.runs import InputsDigest
 from bobdesk.solve.settings import PUBLISHED_THRESHOLD
 
 _LENGTH = 16
+_ON_THE_PUBLISHED_OBJECTIVE = ("published", "lbfgsb", "slsqp", "de")
 
 
 def inputs_digest(project: Project) -> InputsDigest:
@@ -119,12 +120,16 @@ def _solver(project: Project) -> str:
     settings = project.solver
     if settings.method == "pgd":
         return _digest(settings.method, _numbers(asdict(settings.pgd)))
-    if settings.method != "published":
-        return _digest(settings.method, _numbers(asdict(settings.weights)))
-    # Usual values are left out, so that files from before there were other ones stay up to date.
-    others = [_number(settings.rate)] if settings.rate is not None else []
-    others += [_number(settings.threshold)] if settings.threshold != PUBLISHED_THRESHOLD else []
-    return _digest(settings.method, _numbers(asdict(settings.weights)), *others)
+    weights = _numbers(asdict(settings.weights))
+    if settings.method == "published":
+        # Usual values are left out, so that files from before there were other ones stay up to date.
+        others = [_number(settings.rate)] if settings.rate is not None else []
+        others += [_number(settings.threshold)] if settings.threshold != PUBLISHED_THRESHOLD else []
+        return _digest(settings.method, weights, *others)
+    if settings.method in _ON_THE_PUBLISHED_OBJECTIVE:
+        return _digest(settings.method, weights)
+    # What a plug-in looks at is its own affair.
+    return _digest(settings.method, weights, _numbers(asdict(settings.pgd)), _number(settings.rate))
 
 
 def _numbers(values: dict[str, object]) -> object:

@@ -12,6 +12,7 @@ from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
 from bobdesk.project.runs import Run, RunInputs, finished_run
+from bobdesk.solve.run import METHODS, SolverMethod, solve
 
 if TYPE_CHECKING:
     from bobdesk.solve.iterates import Iterate, Solution
@@ -30,6 +31,7 @@ def new_run(
     clock: Callable[[], float],
     record: IterateRecord | None = None,
     enough: Callable[[], bool] = _never,
+    methods: tuple[SolverMethod, ...] = METHODS,
 ) -> Generator[Iterate, None, Run]:
     """Solve a project with its own settings.
 
@@ -45,6 +47,8 @@ def new_run(
         Is given every iterate as it comes.
     enough
         Asked after every iterate: whether to end with the best one so far.
+    methods
+        Those that there are.
 
     Raises
     ------
@@ -53,7 +57,6 @@ def new_run(
     TargetError
         If limits, drop and known elevations contradict each other.
     """
-    from bobdesk.solve.run import solve
     from bobdesk.track.centreline3d import make_centreline3d
     from bobdesk.track.figures import figures
 
@@ -61,7 +64,7 @@ def new_run(
     line = derive.centreline(project).needed()
     record = IterateRecord(inputs.targets.length) if record is None else record
     seconds = 0.0
-    job = solve(line, inputs.segments, inputs.targets, inputs.settings, warm=warm_start(project))
+    job = solve(line, inputs.segments, inputs.targets, inputs.settings, methods=methods, warm=warm_start(project))
     while True:
         began = clock()
         try:

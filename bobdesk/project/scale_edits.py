@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from bobdesk.errors import InputError
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
-from bobdesk.project.project import Project
+from bobdesk.project.project import CalibrationWay, Project
 
 Item = TypeVar("Item")
 
@@ -73,6 +73,11 @@ def change_check_distance(project: Project, index: int, known: KnownDistance) ->
 def remove_check_distance(project: Project, index: int) -> Project:
     """Take a check distance away."""
     return replace(project, check_distances=_without(project.check_distances, index, "check distance"))
+
+
+def choose_scale_way(project: Project, way: CalibrationWay) -> Project:
+    """Choose how pixels become metres; a number that the way needs may be given afterwards."""
+    return replace(project, calibration=replace(project.calibration, way=way))
 
 
 def scale_by_points(project: Project) -> Project:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from bobdesk.arrays import FloatArray
 
 if TYPE_CHECKING:
     from bobdesk.solve.profile import Profile
-
-Method = Literal["pgd", "published", "lbfgsb", "slsqp", "de"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +59,7 @@ class Solution:
     Attributes
     ----------
     method
-        Which solver.
+        Key of the solver.
     profile
         Rows and pieces, in the plan's own scale.
     gradients : (p,)
@@ -82,7 +80,7 @@ class Solution:
         At the end.
     """
 
-    method: Method
+    method: str
     profile: Profile
     gradients: FloatArray
     edge_gradients: FloatArray

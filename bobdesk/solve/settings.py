@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from bobdesk.solve.iterates import Method
-
 PUBLISHED_THRESHOLD = 1e-3
 
 
@@ -119,18 +117,18 @@ class SolverSettings:
     Attributes
     ----------
     method
-        One of `Method`.
+        Key of one of `bobdesk.solve.run.METHODS`, or of a plug-in's.
     pgd
         Settings of the recommended method.
     weights
-        a, b, c, d of the published objective, for all other methods.
+        a, b, c, d of the published objective, for the other methods.
     rate
         η of the published method, or None for its usual value.
     threshold
         δ of the published method.
     """
 
-    method: Method = "pgd"
+    method: str = "pgd"
     pgd: PgdSettings = field(default_factory=PgdSettings)
     weights: Weights = field(default_factory=Weights)
     rate: float | None = None

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
+from bobdesk.project import derive
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.newest import Newest
 
 if TYPE_CHECKING:
     from bobdesk.alignment.centreline import Centreline
-    from bobdesk.project.derive import Derived
 
 Inputs = Callable[[Project], tuple[object, ...] | None]
 
@@ -77,7 +77,7 @@ class DerivedLater(QObject):
 
     def _look(self, project: Project) -> None:
         wanted = self._inputs(project)
-        if _same(wanted, self._asked):
+        if same_inputs(wanted, self._asked):
             return
         self._asked = wanted
         if wanted is None:
@@ -139,13 +139,12 @@ def centreline_later(desk: Desk) -> DerivedLater:
     return made
 
 
-def _centreline(project: Project) -> Derived[Centreline]:
-    from bobdesk.project import derive
-
+def _centreline(project: Project) -> derive.Derived[Centreline]:
     return derive.centreline(project)
 
 
-def _same(one: tuple[object, ...] | None, other: tuple[object, ...] | None) -> bool:
+def same_inputs(one: tuple[object, ...] | None, other: tuple[object, ...] | None) -> bool:
+    """Return whether two tuples hold the same objects (or equal whole numbers)."""
     if one is None or other is None:
         return one is other
     return len(one) == len(other) and all(a is b or _equal_number(a, b) for a, b in zip(one, other, strict=True))

@@ -221,9 +221,7 @@ class Documents(QObject):
         failed: Callable[[str], None] | None = None,
         stopped: Then | None = None,
     ) -> None:
-        self._desk.runner.start(
-            title, job, done=done, failed=failed or self._desk.notices.error, stopped=stopped
-        )
+        self._desk.runner.start(title, job, done=done, failed=failed or self._desk.notices.error, stopped=stopped)
 
 
 def _stamp_of(path: Path) -> _Stamp | None:
@@ -232,4 +230,3 @@ def _stamp_of(path: Path) -> _Stamp | None:
     except OSError:
         return None
     return about.st_mtime_ns, about.st_size
-

@@ -12,8 +12,8 @@ from bobdesk.ui.theme import colours
 _SIZES = (16, 20, 24, 32, 48)
 
 
-def icon(name: str) -> QIcon:
-    """Return the icon of a file in resources/icons in the colours in force.
+def icon(name: str, colour: str | None = None) -> QIcon:
+    """Return the icon of a file in resources/icons in the colours in force, or in one colour.
 
     Raises
     ------
@@ -23,13 +23,13 @@ def icon(name: str) -> QIcon:
     drawing = resource("icons", f"{name}.svg").read_text(encoding="utf-8")
     of = colours()
     found = QIcon()
-    for colour, mode, state in (
-        (of.text, QIcon.Mode.Normal, QIcon.State.Off),
-        (of.accent, QIcon.Mode.Normal, QIcon.State.On),
+    for ink, mode, state in (
+        (colour or of.text, QIcon.Mode.Normal, QIcon.State.Off),
+        (colour or of.accent, QIcon.Mode.Normal, QIcon.State.On),
         (of.border, QIcon.Mode.Disabled, QIcon.State.Off),
         (of.border, QIcon.Mode.Disabled, QIcon.State.On),
     ):
-        renderer = QSvgRenderer(QByteArray(drawing.replace("currentColor", colour).encode()))
+        renderer = QSvgRenderer(QByteArray(drawing.replace("currentColor", ink).encode()))
         for size in _SIZES:
             found.addPixmap(_drawn(renderer, size), mode, state)
     return found

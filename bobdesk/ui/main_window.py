@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
 
@@ -16,7 +16,7 @@ from bobdesk.ui.notice_bar import NoticeBar
 from bobdesk.ui.notices import Notices
 from bobdesk.ui.plan_picture import PlanPicture
 from bobdesk.ui.plan_view.view import PlanView
-from bobdesk.ui.plans import Plans, local_paths
+from bobdesk.ui.plans import Looked, Plans, local_paths
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.runner import Runner
@@ -58,9 +58,10 @@ class MainWindow(QMainWindow):
             quantities=Quantities(settings, self),
         )
         self._may_close = False
+        self._forget_copy = True
         self.questions = Questions(settings, self)
         self.documents = Documents(self.desk, self.questions, data_folder, self)
-        self.plans = Plans(self.desk, self.documents, self.questions, self)
+        self.plans = Plans(self.desk, self.documents, self.questions, self._look_at_coordinates, self)
         self.view = PlanView(self.desk, self)
         self.steps_bar = StepsBar(self.desk, self)
         self.status = StatusBar(self.desk, self)
@@ -80,11 +81,18 @@ class MainWindow(QMainWindow):
         """Show a step's panel."""
         self.panels.show_step(step)
         self.steps_bar.show_step(step)
+        self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()
 
     def open_file(self, path: Path) -> None:
         """Open a file of any kind that BobDesk knows."""
         self.plans.open_any(path)
+
+    def leave(self) -> None:
+        """End at once; the recovery copy stays, and the next start offers it."""
+        self.documents.keeper.keep_now()
+        self._may_close, self._forget_copy = True, False
+        self.close()
 
     def warm_up(self) -> None:
         """Load what the first trace needs, while the user looks at the window."""
@@ -124,8 +132,14 @@ class MainWindow(QMainWindow):
             return
         self.layout_of_window.remember()
         self.desk.runner.close()
-        self.documents.close(forget_copy=True)
+        self.documents.close(forget_copy=self._forget_copy)
         event.accept()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the icons in the colours of another theme."""
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "actions_by_name"):
+            self.actions_by_name.refresh_icons()
+        super().changeEvent(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and pictures."""
@@ -139,6 +153,11 @@ class MainWindow(QMainWindow):
         if len(paths) > 1:
             self.desk.notices.note(self.tr("One file at a time: only the first one is opened."))
         self.plans.paste(event.mimeData())
+
+    def _look_at_coordinates(self, path: Path, as_actual: bool) -> Looked | None:
+        from bobdesk.ui.dialogs.import_coordinates import look_at_coordinates
+
+        return look_at_coordinates(self.desk, path, as_actual=as_actual, parent=self)
 
     def _settle(self) -> None:
         self._may_close = True
@@ -182,6 +201,7 @@ class MainWindow(QMainWindow):
             self._show_document()
         self.setWindowModified(session.is_open and not session.is_saved)
         self.setWindowTitle(f"{self.documents.title}[*]" if session.is_open else "BobDesk")
+        self.layout_of_window.name_undo(session.undo_label, session.redo_label)
         self.actions_by_name.refresh()
 
     def _show_document(self) -> None:

@@ -54,5 +54,8 @@ class Notices(QObject):
     def _tell(self, sentence: str, weight: Weight, remedies: tuple[Remedy, ...]) -> None:
         sentence = sentence.strip()
         if sentence:
-            whole = sentence[0].upper() + sentence[1:] + ("" if sentence[-1] in ".!?…" else ".")
+            # the name of a file begins as it does
+            is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
+            first = sentence[0] if is_name else sentence[0].upper()
+            whole = first + sentence[1:] + ("" if sentence[-1] in ".!?…" else ".")
             self.told.emit(Notice(whole, weight, remedies))

@@ -56,7 +56,7 @@ class Questions(QObject):
         """Ask whether a plan begins a new project or takes the place of the open one's."""
         box = self._box(self.tr("This project has a plan already. What shall {name} be?").format(name=name))
         box.setInformativeText(
-            self.tr("In this project it takes the place of the plan with its line and control points; Undo brings them back.")
+            self.tr("Here it takes the place of plan, line and control points; Undo brings them back.")
         )
         new = box.addButton(self.tr("The plan of a new project"), QMessageBox.ButtonRole.AcceptRole)
         replace = box.addButton(self.tr("The plan of this project"), QMessageBox.ButtonRole.ActionRole)

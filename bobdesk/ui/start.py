@@ -15,7 +15,7 @@ from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
 from bobdesk.ui.plans import Plans
-from bobdesk.ui.recent import recent_entry_steps
+from bobdesk.ui.recent_entries import RecentEntry, recent_entry_steps
 from bobdesk.ui.resources import resource
 from bobdesk.ui.runner import Job
 from bobdesk.ui.start_page import StartPage
@@ -45,7 +45,7 @@ class Start(QObject):
             self._job.stop()
         recent = self._desk.settings.recent
 
-        def done(entries: object) -> None:
+        def done(entries: tuple[RecentEntry, ...]) -> None:
             self._job = None
             self.page.show_recent(entries)
 
@@ -61,14 +61,12 @@ class Start(QObject):
             yield Progress(0.0, "Reading the sample")
             return load_project(path)
 
-        def done(project: Project) -> None:
-            self._documents.begin(project)
-
-        self._documents.guard(
-            lambda: self._desk.runner.start(
-                self.tr("Opening the sample"), job, done=done, failed=self._desk.notices.error
+        def begin() -> None:
+            self._desk.runner.start(
+                self.tr("Opening the sample"), job, done=self._documents.begin, failed=self._desk.notices.error
             )
-        )
+
+        self._documents.guard(begin)
 
     def _recover(self, item: Recoverable) -> None:
         self._documents.recover(item)

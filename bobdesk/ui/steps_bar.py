@@ -80,6 +80,10 @@ class StepsBar(QWidget):
         self._restyle()
         self._say()
 
+    def title_of(self, name: StepName) -> str:
+        """Return what a step is called on the screen."""
+        return self._titles()[name]
+
     def take_focus(self) -> None:
         """Give the keyboard to the step that is shown."""
         self._buttons[self._shown].setFocus(Qt.FocusReason.ShortcutFocusReason)

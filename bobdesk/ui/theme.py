@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
-from bobdesk.ui.settings import Theme
+from bobdesk.ui.settings import Settings, Theme
 
 
 @dataclass(frozen=True)
@@ -146,6 +146,26 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     application.setStyleSheet(_style_sheet(_InForce.colours))
 
 
+class ThemeFollower(QObject):
+    """Keeps the application in the theme that the user, or the system, has chosen."""
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        super().__init__(application)
+        self._application = application
+        self._settings = settings
+        settings.changed.connect(self._on_setting)
+        application.styleHints().colorSchemeChanged.connect(self._on_scheme)
+        apply_theme(application, settings.theme)
+
+    def _on_setting(self, name: str) -> None:
+        if name == "theme":
+            apply_theme(self._application, self._settings.theme)
+
+    def _on_scheme(self) -> None:
+        if self._settings.theme == "system":
+            apply_theme(self._application, "system")
+
+
 def _is_dark(application: QApplication, theme: Theme) -> bool:
     if theme == "system":
         return application.styleHints().colorScheme() == Qt.ColorScheme.Dark
@@ -208,6 +228,9 @@ QLabel[kind="error"] {{ color: {of.error}; }}
 QLabel[kind="good"] {{ color: {of.good}; }}
 QLabel[kind="warning"] {{ color: {of.warning}; background: {of.warning_soft};
     border: 1px solid {of.warning_border}; border-radius: 4px; padding: 6px 8px; }}
+QFrame[kind="notice"] {{ background: {of.warning_soft}; border: 1px solid {of.warning_border}; border-radius: 4px; }}
+QFrame[kind="notice"] QLabel {{ color: {of.warning}; border: none; }}
+QFrame[kind="notice"] QPushButton[kind="link"] {{ color: {of.warning}; font-weight: 600; }}
 QFrame[kind="line"] {{ background: {of.border}; max-height: 1px; border: none; }}
 QPushButton[kind="primary"] {{ background: {of.accent}; color: {of.on_accent}; font-weight: 600;
     border: 1px solid {of.accent}; border-radius: 4px; padding: 5px 12px; }}

@@ -24,13 +24,13 @@ def make_actions(window: MainWindow) -> ActionSet:
     desk, view = window.desk, window.view
     table = (
         *FileActions(desk.session, window.documents, window.plans, window.close, window).table(),
-        *EditActions(desk.session, window.plans, view.take_back, window).table(),
+        *EditActions(desk.session, window.plans, view.take_back, lambda: view.tool_name != "select", window).table(),
         *LineActions(desk, view, window).table(),
         *ViewActions(desk, view, window).table(),
         *ToolActions(desk, view, window).table(),
         *ScaleActions(desk, window).table(),
         *WindowActions(window, window).table(),
-        *HelpActions(desk, window).table(),
+        *HelpActions(lambda: window.actions_by_name, desk.settings, window).table(),
     )
     made = ActionSet(table, desk.settings, window, view)
     titles: tuple[tuple[MenuName, str], ...] = (

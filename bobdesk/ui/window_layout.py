@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _STATE = 1
 _FIRST_SIZE = QSize(1440, 900)
 _PANEL_WIDTH = 430
+_LONGEST_LABEL = 34
 
 
 class WindowLayout:
@@ -83,15 +84,14 @@ class WindowLayout:
         self.panel_dock.setVisible(is_open)
 
     def name_undo(self, undo: str | None, redo: str | None) -> None:
-        """Write on the buttons what would be taken back or done again."""
-        for button, text, label in zip(
-            self._undo,
-            (self._window.tr("Undo"), self._window.tr("Redo")),
-            (undo, redo),
-            strict=True,
+        """Write on actions and buttons what would be taken back or done again."""
+        for name, label, text in (
+            ("undo", undo, self._window.tr("&Undo {step}") if undo else self._window.tr("&Undo")),
+            ("redo", redo, self._window.tr("&Redo {step}") if redo else self._window.tr("&Redo")),
         ):
-            button.setAccessibleName(f"{text} {label or ''}".strip())
-            button.setToolTip(f"{text} {label or ''}".strip())
+            words = text.format(step=_in_sentence(label or ""))
+            self._window.actions_by_name[name].setText(words)
+            self._window.actions_by_name[name].setIconText(_short(words.replace("&", "")))
 
     def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
         """Move the focus from steps to tools, plan and panel, and round again."""
@@ -109,6 +109,8 @@ class WindowLayout:
         button = QToolButton(self._window)
         button.setDefaultAction(self._window.actions_by_name[name])
         button.setAutoRaise(True)
+        if name == "undo":
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
         self._window.steps_bar.add_at_right(button)
         return button
 
@@ -128,3 +130,12 @@ def _focus_into(part: QWidget, steps: StepsBar) -> bool:
             widget.setFocus(Qt.FocusReason.ShortcutFocusReason)
             return True
     return False
+
+
+def _in_sentence(label: str) -> str:
+    """Return a step's label as it stands within a sentence: "Move vertex" as "move vertex", "DXF" as it is."""
+    return label[:1].lower() + label[1:] if label[1:2].islower() else label
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= _LONGEST_LABEL else text[: _LONGEST_LABEL - 1].rstrip() + "…"

@@ -23,6 +23,7 @@ metres = st.floats(-1e6, 1e6)
 positive = st.floats(1e-6, 1e5)
 words = st.text(max_size=12)
 index = st.integers(0, 5)
+places = st.just((None, None)) | st.tuples(st.floats(-180, 180), st.floats(-89, 89))
 
 
 def _point(draw: Draw) -> ControlPoint:
@@ -69,7 +70,7 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "write_notes": lambda p, d: edits.write_notes(p, d(words)),
     "open_picture": lambda p, d: edits.open_picture(p, _picture(d)),
     "open_coordinates": lambda p, d: edits.open_coordinates(
-        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), d(st.none() | metres), None)
+        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), *d(places))
     ),
     "compare_with": lambda p, d: edits.compare_with(p, ActualTrack(d(words), np.full((3, 3), d(metres)))),
     "compare_with_nothing": lambda p, d: edits.compare_with_nothing(p),
@@ -114,6 +115,10 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "flip_segment": lambda p, d: edits.flip_segment(p, d(index)),
     "lock_segment": lambda p, d: edits.lock_segment(p, d(index), locked=d(st.booleans())),
     "name_segment": lambda p, d: edits.name_segment(p, d(index), d(words)),
+    "flip_segments": lambda p, d: edits.flip_segments(p, [d(index), d(index)]),
+    "lock_segments": lambda p, d: edits.lock_segments(p, [d(index)], locked=d(st.booleans())),
+    "delete_boundary": lambda p, d: edits.delete_boundary(p, d(index)),
+    "number_curves": lambda p, d: edits.number_curves(p),
     "detect_again": lambda p, d: edits.detect_again(p),
     "use_automatic_segments": lambda p, d: edits.use_automatic_segments(p),
     "set_segmentation": lambda p, d: edits.set_segmentation(p, _segmentation(d)),

@@ -32,8 +32,6 @@ def test_every_icon_shows_something_at_sixteen_pixels(qapp: QApplication, theme:
     apply_theme(qapp, theme)
     for drawing in DRAWINGS:
         image = icon(drawing.stem).pixmap(16, 16).toImage()
-        inked = sum(
-            image.pixelColor(x, y).alpha() > 100 for x in range(image.width()) for y in range(image.height())
-        )
+        inked = sum(image.pixelColor(x, y).alpha() > 100 for x in range(image.width()) for y in range(image.height()))
         assert inked >= 12, drawing.stem
     apply_theme(qapp, "light")

@@ -17,9 +17,12 @@ from bobdesk.files.importers.json_lines import read_json
 from bobdesk.files.importers.kml import read_kml
 from bobdesk.files.importers.kmz import read_kmz
 from bobdesk.files.importers.osm_xml import read_osm_xml
+from bobdesk.files.importers.project_plan import read_project
 from bobdesk.files.importers.svg_lines import read_svg_lines
 from bobdesk.files.importers.table import read_bytes
 from bobdesk.files.plugins import Plugins, find_plugins
+from bobdesk.files.project_archive import begins_like_a_project
+from bobdesk.files.project_file import SUFFIX
 
 IMPORTER_GROUP = "bobdesk.importers"
 _LOOKED_AT = 65_536
@@ -86,11 +89,16 @@ def _is_dxf(head: bytes) -> bool:
     )
 
 
+def _is_zip(head: bytes) -> bool:
+    return head.startswith(b"PK\x03\x04")
+
+
 FORMATS: tuple[ImportFormat, ...] = (
     ImportFormat("csv", "CSV, TSV or other text", (".csv", ".tsv", ".txt", ".xyz", ".dat"), _never, line_of_csv),
     ImportFormat("json", "GeoJSON, Overpass or BobDesk JSON", (".geojson", ".json"), _is_json, read_json),
     ImportFormat("kml", "KML", (".kml",), _root("kml"), read_kml),
-    ImportFormat("kmz", "KMZ", (".kmz",), lambda head: head.startswith(b"PK\x03\x04"), read_kmz),
+    ImportFormat("bobdesk", "BobDesk project", (SUFFIX,), begins_like_a_project, read_project),
+    ImportFormat("kmz", "KMZ", (".kmz",), _is_zip, read_kmz),
     ImportFormat("gpx", "GPX", (".gpx",), _root("gpx"), read_gpx),
     ImportFormat("osm", "OpenStreetMap XML", (".osm",), _root("osm"), read_osm_xml),
     ImportFormat("dxf", "DXF", (".dxf",), _is_dxf, read_dxf),
@@ -107,10 +115,11 @@ def format_of(data: bytes, *, name: str) -> ImportFormat:
     """Return the format by content, else by the name's ending, else delimited text."""
     formats = import_formats().formats
     head = data[:_LOOKED_AT]
-    for known in formats:
-        if known.recognises(head):
-            return known
     ending = Path(name).suffix.lower()
+    for known in formats:
+        # A project that another program packed anew begins like any ZIP.
+        if known.recognises(head) and not (ending == SUFFIX and known.read is read_kmz):
+            return known
     return next((known for known in formats if ending in known.extensions), FORMATS[0])
 
 

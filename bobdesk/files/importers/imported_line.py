@@ -6,10 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import LARGEST_COORDINATE, Polyline, polyline_from_points
 from bobdesk.plan.projection import Georeference
+from bobdesk.project.project import Project
 
 _MOST_LOOKED_AT_FOR_CROSSINGS = 200_000
 
@@ -28,12 +30,18 @@ class ImportedLine:
         What was changed, dropped or assumed, a sentence each.
     georeference
         Where the plan's origin lies on the Earth, if the file says so.
+    segments
+        Segments that the file says the line has; their stations count along it, or in proportion.
+    project
+        The whole project, where the file is one: targets, limits and settings go with its line.
     """
 
     polyline: Polyline
     elevations: FloatArray | None
     notes: tuple[str, ...]
     georeference: Georeference | None = None
+    segments: Segments | None = None
+    project: Project | None = None
 
 
 def imported_line(
@@ -43,6 +51,7 @@ def imported_line(
     name: str,
     notes: tuple[str, ...] = (),
     georeference: Georeference | None = None,
+    segments: Segments | None = None,
 ) -> ImportedLine:
     """Check points, merge repeated ones, and say what there is to know about the line.
 
@@ -72,7 +81,7 @@ def imported_line(
         notes = (*notes, f"{dropped} repeated point{'s were' if dropped > 1 else ' was'} left out")
     if crosses_itself(polyline):
         notes = (*notes, "the line crosses itself in plan, as at a Kreisel; look at it if there is none")
-    return ImportedLine(polyline, None if elevations is None else elevations[kept], notes, georeference)
+    return ImportedLine(polyline, None if elevations is None else elevations[kept], notes, georeference, segments)
 
 
 def crosses_itself(polyline: Polyline) -> bool:

@@ -13,11 +13,12 @@ from bobdesk.alignment.centreline import fit_centreline
 from bobdesk.alignment.curvature import plane_curvature
 from bobdesk.alignment.segmentation import detect_segments
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segment, Segments
+from bobdesk.alignment.segments import Segment, Segments, stretched
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files.importers.formats import FORMATS, format_of, line_in
 from bobdesk.files.importers.imported_line import ImportedLine
+from bobdesk.files.importers.json_lines import columns_of_line, read_json
 from bobdesk.files.importers.table import Table, read_bytes, table_from
 from bobdesk.plan.projection import Georeference
 from bobdesk.track.centreline3d import Centreline3D, segment_gradients
@@ -38,8 +39,8 @@ class Line3D:
 def read_line3d(path: Path) -> Line3D:
     """Read a 3D centreline.
 
-    LINE.csv gives every column back as it was written. Of any other line with elevations the points
-    stay as they are, and headings, curvature and segments are found from them.
+    LINE.csv and BobDesk's own JSON give every column back as it was written. Of any other line with
+    elevations the points stay as they are, and headings, curvature and segments are found from them.
 
     Raises
     ------
@@ -51,21 +52,27 @@ def read_line3d(path: Path) -> Line3D:
     if known is FORMATS[0]:
         table = table_from(data, name=name)
         if table.header is not None and {*_NUMBERS, *_CURVATURES, "segment", "kind"} <= set(table.header):
-            return Line3D(_as_written(table), None, ())
+            return Line3D(_of_table(table), None, ())
     found = line_in(data, known, name=name)
+    if found.segments is not None and known.read is read_json:
+        columns = columns_of_line(data, (*_NUMBERS, *_CURVATURES, "segment"), name=name)
+        if columns is not None:
+            return Line3D(_as_written(columns, found.segments, name=name), found.georeference, found.notes)
     if found.elevations is None:
         raise InputError(f"{path}: there are no elevations (column z_m); a 3D line needs them")
-    notes = (*found.notes, "its segments were found anew, since the file names none")
+    notes = found.notes
+    if found.segments is None:
+        notes = (*notes, "its segments were found anew, since the file names none")
     return Line3D(_from_points(found, found.elevations, name=name), found.georeference, notes)
 
 
-def _as_written(table: Table) -> Centreline3D:
+def _of_table(table: Table) -> Centreline3D:
     header = table.header or []
     values = {title: table.column(header.index(title), title) for title in (*_NUMBERS, *_CURVATURES, "segment")}
     stations = values["station_m"]
-    if len(stations) < 3 or not (np.diff(stations) > 0).all():
-        raise InputError(f"{table.name}: the column station_m must grow from row to row, over three rows or more")
     numbers = values["segment"]
+    if len(stations) < 3:
+        raise InputError(f"{table.name}: the column station_m must grow from row to row, over three rows or more")
     steps = np.diff(numbers)
     if not (numbers[0] == 1 and np.isin(steps, (0.0, 1.0)).all()):
         raise InputError(f"{table.name}: the column segment must count up from 1")
@@ -84,6 +91,15 @@ def _as_written(table: Table) -> Centreline3D:
         # A last segment of one row has no length that could be known.
         numbers = np.minimum(numbers, len(segments) - 1)
         segments = segments[:-1]
+    return _as_written(values | {"segment": numbers}, tuple(segments), name=table.name)
+
+
+def _as_written(values: dict[str, FloatArray], segments: Segments, *, name: str) -> Centreline3D:
+    stations, numbers = values["station_m"], values["segment"]
+    if len(stations) < 3 or not (np.diff(stations) > 0).all():
+        raise InputError(f"{name}: the column station_m must grow from row to row, over three rows or more")
+    if not np.isin(numbers, np.arange(1, len(segments) + 1)).all():
+        raise InputError(f"{name}: the column segment names a segment that there is not")
     points = np.column_stack([values["x_m"], values["y_m"], values["z_m"]])
     return Centreline3D(
         stations=stations,
@@ -94,8 +110,8 @@ def _as_written(table: Table) -> Centreline3D:
         plan_curvature=values["curvature_plan_per_m"],
         curvature=values["curvature_per_m"],
         segment_of=numbers.astype(np.int64) - 1,
-        segments=tuple(segments),
-        segment_gradients=segment_gradients(stations, points[:, 2], tuple(segments)),
+        segments=segments,
+        segment_gradients=segment_gradients(stations, points[:, 2], segments),
     )
 
 
@@ -128,7 +144,9 @@ def _from_points(found: ImportedLine, elevations: FloatArray, *, name: str) -> C
 
 
 def _segments(found: ImportedLine, length: float) -> Segments:
-    """Find the segments on the fitted line; fitted and drawn line differ a little in length."""
+    """Return the file's segments, or find them on the fitted line: it and the drawn one differ a little in length."""
+    if found.segments is not None:
+        return stretched(found.segments, length)
     fitted = fit_centreline(found.polyline)
     share = length / fitted.length
     segments = detect_segments(fitted, SegmentationSettings())

@@ -92,7 +92,7 @@ def preview(path: Path, *, choice: CsvChoice | None = None) -> Preview:
     return Preview(
         format=known.title,
         columns=("x_m", "y_m", "z_m")[: rows.shape[1]],
-        unit="degrees" if line.georeference is not None else "metres",
+        unit="metres" if line.georeference is None or _is_ours(line) else "degrees",
         separator=None,
         decimal=None,
         rows=tuple(tuple(f"{value:.3f}" for value in row) for row in rows[:_ROWS].tolist()),
@@ -103,6 +103,11 @@ def preview(path: Path, *, choice: CsvChoice | None = None) -> Preview:
         problem=None,
         line=line,
     )
+
+
+def _is_ours(line: ImportedLine) -> bool:
+    """Return whether a file is BobDesk's own: those hold metres, and name the origin beside them."""
+    return line.segments is not None or line.project is not None
 
 
 def _of_table(table: Table, choice: CsvChoice | None) -> Preview:

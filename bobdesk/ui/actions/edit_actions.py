@@ -20,10 +20,20 @@ class EditActions(QObject):
     ----------
     take_back
         Takes the last click of the tool back; returns whether there was one.
+    in_work
+        Whether the tool in hand is one that clicks can be taken back of.
     """
 
-    def __init__(self, session: Session, plans: Plans, take_back: Callable[[], bool], parent: QObject) -> None:
+    def __init__(
+        self,
+        session: Session,
+        plans: Plans,
+        take_back: Callable[[], bool],
+        in_work: Callable[[], bool],
+        parent: QObject,
+    ) -> None:
         super().__init__(parent)
+        self._in_work = in_work
         self._session = session
         self._plans = plans
         self._take_back = take_back
@@ -40,6 +50,7 @@ class EditActions(QObject):
                 self.tr("Take the last step back"),
                 "Edit",
                 "undo",
+                enabled=lambda: self._session.undo_label is not None or self._in_work(),
                 context=True,
             ),
             Action(
@@ -67,13 +78,8 @@ class EditActions(QObject):
         )
 
     def undo(self) -> None:
-        """Take back a click in mid-work, else the last step."""
-        typed = _text_field()
-        if isinstance(typed, QLineEdit) and typed.isUndoAvailable():
-            typed.undo()
-        elif isinstance(typed, (QPlainTextEdit, QTextEdit)) and typed.document().isUndoAvailable():
-            typed.undo()
-        elif not self._take_back():
+        """Take back what is being typed, or a click in mid-work, else the last step."""
+        if not (_undo_typing() or self._take_back()):
             self._session.undo()
 
     def redo(self) -> None:
@@ -94,3 +100,13 @@ def _text_field() -> QLineEdit | QPlainTextEdit | QTextEdit | None:
     if isinstance(focus, (QLineEdit, QPlainTextEdit, QTextEdit)) and not focus.isReadOnly():
         return focus
     return None
+
+
+def _undo_typing() -> bool:
+    typed = _text_field()
+    if typed is None:
+        return False
+    can = typed.isUndoAvailable() if isinstance(typed, QLineEdit) else typed.document().isUndoAvailable()
+    if can:
+        typed.undo()
+    return can

@@ -20,9 +20,8 @@ class SolvePanel(Panel):
     """What is known goes in at the top, what was found comes out below."""
 
     def __init__(self, desk: Desk, parent: QWidget | None = None) -> None:
-        super().__init__(desk, "", parent)
-        self.title.setText(self.tr("Solve"))
-        self.setAccessibleName(self.tr("Solve"))
+        super().__init__(desk, parent)
+        self.name_it(self.tr("Solve"))
         self.targets = TargetsPart(self)
         self.feasibility = FeasibilityPart(self)
         self.known = KnownPart(self)

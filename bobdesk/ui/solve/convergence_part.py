@@ -24,7 +24,8 @@ class ConvergencePart(Part):
     """The plot, what is drawn in it, and the figures of the iterate under its cursor."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Convergence"))
+        super().__init__(panel)
+        self.name_it(self.tr("Convergence"))
         self.solving = solving_of(self.desk)
         self.shown = shown_result_of(self.desk)
         self.plot = ConvergencePlot(self)

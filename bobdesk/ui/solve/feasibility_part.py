@@ -43,7 +43,8 @@ class FeasibilityPart(Part):
     """Asks in the background; blocks nothing."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Can these figures be met?"))
+        super().__init__(panel)
+        self.name_it(self.tr("Can these figures be met?"))
         self.heading.hide()
         self.box = FeasibilityBox(self)
         self.column.setContentsMargins(0, 2, 0, 0)

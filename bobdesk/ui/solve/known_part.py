@@ -20,7 +20,8 @@ class KnownPart(Part):
     """A row for each known elevation; the cursor along the line says where a new one is."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Known elevations"))
+        super().__init__(panel)
+        self.name_it(self.tr("Known elevations"))
         self.model = ColumnsModel(
             self._columns(),
             lambda: len(self._known),

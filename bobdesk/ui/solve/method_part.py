@@ -25,7 +25,8 @@ class MethodPart(Part):
     """Settings are shown for the chosen method alone, and only when they are wanted."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Method"))
+        super().__init__(panel)
+        self.name_it(self.tr("Method"))
         self.heading.hide()
         form = panel.add_form(self.column)
         self.method = QComboBox(self)

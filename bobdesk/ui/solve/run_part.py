@@ -16,7 +16,8 @@ class RunPart(Part):
     """One button runs, pauses and resumes; what is out of date is said above it."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Run"))
+        super().__init__(panel)
+        self.name_it(self.tr("Run"))
         self.heading.hide()
         self.solving = solving_of(self.desk)
         self.state = panel.add_label("", "warning", self.column)

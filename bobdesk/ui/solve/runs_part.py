@@ -38,7 +38,8 @@ class RunsPart(Part):
     """Runs can be shown, overlaid, renamed and deleted; two rows at the end hold targets and the actual track."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("Runs"))
+        super().__init__(panel)
+        self.name_it(self.tr("Runs"))
         self.shown = shown_result_of(self.desk)
         self.model = RunsModel(
             self._columns(), self._count, panel.refuse, is_faint=lambda row: row >= len(self._runs), parent=self

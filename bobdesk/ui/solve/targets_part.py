@@ -23,7 +23,8 @@ class TargetsPart(Part):
     """Figures in the user's units; every key stroke that makes a number is an edit, and a row of them one step."""
 
     def __init__(self, panel: Panel) -> None:
-        super().__init__(panel, panel.tr("What is known of the track"))
+        super().__init__(panel)
+        self.name_it(self.tr("What is known of the track"))
         self.sets = QComboBox(self)
         self.menu_button = QToolButton(self)
         self._form = panel.add_form(self.column)

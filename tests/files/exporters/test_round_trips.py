@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+import json
 
 import ezdxf
 import ezdxf.recover
@@ -61,6 +62,56 @@ def test_json_keeps_the_place_on_the_earth(tmp_path):
     found = _read(tmp_path, export_line(exact_line(), format="json", georeference=PLACE), ".json")
     assert found.georeference == PLACE
     assert _read(tmp_path, export_line(exact_line(), format="json"), ".json").georeference is None
+
+
+def test_json_gives_every_column_and_segment_back(tmp_path):
+    line = exact_line(spacing=10, name="Kreisel")
+    path = tmp_path / "line.json"
+    path.write_bytes(export_line(line, format="json", georeference=PLACE))
+    again = read_line3d(path)
+    assert export_line(again.line, format="json", georeference=PLACE) == path.read_bytes()
+    assert again.line.segments == line.segments
+    assert again.georeference == PLACE
+    assert again.notes == ()
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (lambda d: d["segments"][1].update(from_m=500.0), "segment 2 leaves a gap"),
+        (lambda d: d["segments"][0].update(kind="loop"), "segment 1 is not of the kind"),
+        (lambda d: d["segments"][0].update(name=7), "segment 1 is not of the kind"),
+        (lambda d: d["segments"].append("x"), "segment 3 is not of the kind"),
+        (lambda d: d["segments"][0].update(from_m=None), "segment 1 leaves a gap"),
+        (lambda d: d["segments"][1].update(to_m=1e300), "segments end at"),
+        (lambda d: d.update(segments=[]), "there is no segment"),
+        (lambda d: d.update(segments={"kind": "curve"}), "list of segments makes no sense"),
+        (lambda d: d["columns"]["gradient"].pop(), "different lengths"),
+        (lambda d: d["columns"].update(station_m=d["columns"]["station_m"][::-1]), "must grow from row to row"),
+        (
+            lambda d: d["columns"].update(segment=[9] * len(d["columns"]["segment"])),
+            "names a segment that there is not",
+        ),
+        (lambda d: d["columns"]["s_m"].__setitem__(3, "x"), "not a finite number"),
+    ],
+)
+def test_damaged_json_of_ours_is_one_sentence(tmp_path, change, sentence):
+    document = json.loads(export_line(exact_line(spacing=20), format="json"))
+    change(document)
+    path = tmp_path / "line.json"
+    path.write_text(json.dumps(document))
+    with pytest.raises(InputError, match=sentence):
+        read_line3d(path)
+
+
+def test_json_without_its_segments_has_them_found(tmp_path):
+    document = json.loads(export_line(exact_line(spacing=5), format="json"))
+    del document["segments"]
+    path = tmp_path / "line.json"
+    path.write_text(json.dumps(document))
+    found = read_line3d(path)
+    assert len(found.line.segments) > 2
+    assert any("found anew" in note for note in found.notes)
 
 
 def test_line_csv_is_written_again_byte_for_byte(tmp_path):

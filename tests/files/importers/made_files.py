@@ -10,6 +10,12 @@ import ezdxf
 import numpy as np
 import pyproj
 
+from bobdesk.files.project_archive import archive_bytes
+from bobdesk.files.project_encoding import encode_project
+from bobdesk.plan.polyline import Polyline
+from bobdesk.project import edits
+from bobdesk.project.project import Project, SourceLine
+
 # A track of 60 points with a curve to each side, about 590 m long, falling 59 m.
 STATION = np.linspace(0.0, 590.0, 60)
 PLAN = np.column_stack([STATION, 60 * np.sin(STATION / 90)]).round(3)
@@ -122,6 +128,12 @@ def dxf(*, units=6):
     return stream.getvalue().encode()
 
 
+def bobdesk():
+    source = SourceLine("plan.csv", Polyline(PLAN), LON[0], LAT[0])
+    project = edits.set_length(edits.open_coordinates(Project(name="Made"), source), 620.0)
+    return archive_bytes(encode_project(edits.set_drop(project, 55.0)))
+
+
 ALL = {
     "csv": csv_text,
     "kml": kml,
@@ -132,4 +144,5 @@ ALL = {
     "json": overpass,
     "svg": svg,
     "dxf": dxf,
+    "bobdesk": bobdesk,
 }

@@ -40,11 +40,11 @@ def test_elevations_come_with_the_line(read, format):
     assert np.array_equal(read(made.ALL[format](), f"track.{format}").elevations, made.Z)
 
 
-@pytest.mark.parametrize("format", ["csv", "svg", "dxf"])
+@pytest.mark.parametrize("format", ["csv", "svg", "dxf", "bobdesk"])
 def test_metres_stay_as_they_are(read, format):
     found = read(made.ALL[format](), f"track.{format}")
     assert np.abs(found.polyline.vertices - made.PLAN).max() < 1e-9
-    assert found.georeference is None
+    assert (found.georeference is None) == (format != "bobdesk")
 
 
 @pytest.mark.parametrize("format", list(made.ALL))
@@ -192,8 +192,8 @@ def test_every_format_has_a_preview(tmp_path, format):
     found = preview(path)
     assert found.count == 60
     assert 3 <= len(found.thumbnail) <= 200
-    assert found.unit == ("metres" if format in ("csv", "svg", "dxf") else "degrees")
-    assert found.has_elevations == (format not in ("osm", "json", "svg"))
+    assert found.unit == ("metres" if format in ("csv", "svg", "dxf", "bobdesk") else "degrees")
+    assert found.has_elevations == (format not in ("osm", "json", "svg", "bobdesk"))
     assert len(found.rows) == 8
     assert len(found.columns) == len(found.rows[0])
 

@@ -1,0 +1,92 @@
+"""The look and manners of every table in a panel."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QAbstractItemModel, QSize, Qt
+from PySide6.QtGui import QFontMetrics
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+
+_ROOM_IN_ROW = 8
+
+
+class Table(QTableView):
+    """As high as its rows, between a fewest and a most; Tab leaves it, F2 or typing edits.
+
+    Parameters
+    ----------
+    name
+        For screen readers.
+    fewest_rows, most_rows
+        Between which its height follows the rows.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        model: QAbstractItemModel,
+        *,
+        fewest_rows: int = 2,
+        most_rows: int = 8,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._fewest, self._most = fewest_rows, most_rows
+        self.setAccessibleName(name)
+        self.setModel(model)
+        self.setAlternatingRowColors(False)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setEditTriggers(
+            QAbstractItemView.EditTrigger.DoubleClicked
+            | QAbstractItemView.EditTrigger.EditKeyPressed
+            | QAbstractItemView.EditTrigger.AnyKeyPressed
+        )
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        row = QFontMetrics(self.font()).height() + _ROOM_IN_ROW
+        self.verticalHeader().setMinimumSectionSize(row)
+        self.verticalHeader().setDefaultSectionSize(row)
+        header = self.horizontalHeader()
+        header.setHighlightSections(False)
+        header.setMinimumSectionSize(24)
+        header.setStretchLastSection(False)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        for signal in (model.rowsInserted, model.rowsRemoved, model.modelReset):
+            signal.connect(self._on_rows)
+        self._fit_rows()
+
+    def fit_columns(self, samples: tuple[str, ...]) -> None:
+        """Make each column as wide as its heading and a sample, so that widths never ask 20,000 rows."""
+        self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        metrics = QFontMetrics(self.font())
+        head = QFontMetrics(self.horizontalHeader().font())
+        space = 2 * metrics.averageCharWidth() + 4
+        for column, sample in enumerate(samples):
+            heading = str(self.model().headerData(column, Qt.Orientation.Horizontal) or "")
+            # Headings are bold by style sheet, which the metrics do not know.
+            width = max(metrics.horizontalAdvance(sample), round(1.15 * head.horizontalAdvance(heading))) + space
+            self.setColumnWidth(column, width)
+
+    def sizeHint(self) -> QSize:
+        """Be as high as the rows."""
+        return QSize(200, self._height(self.model().rowCount()))
+
+    def minimumSizeHint(self) -> QSize:
+        """Never be higher than the panel needs."""
+        return QSize(80, self._height(self._fewest))
+
+    def _height(self, rows: int) -> int:
+        shown = max(self._fewest, min(rows, self._most))
+        bar = self.horizontalScrollBar().sizeHint().height()
+        header = self.horizontalHeader().sizeHint().height()
+        return header + shown * self.verticalHeader().defaultSectionSize() + bar + 2 * self.frameWidth()
+
+    def _on_rows(self) -> None:
+        self._fit_rows()
+
+    def _fit_rows(self) -> None:
+        self.setFixedHeight(self._height(self.model().rowCount()))
+        self.updateGeometry()

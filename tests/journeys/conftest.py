@@ -1,0 +1,20 @@
+"""A screen for all journeys of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.journeys.real_window import Screen, missing
+
+
+@pytest.fixture(scope="session")
+def screen() -> Iterator[Screen]:
+    """A screen of its own with a window manager; without the programs for it a journey is skipped, and says why."""
+    lacking = missing()
+    if lacking:
+        pytest.skip(f"no real window without {', '.join(lacking)}; make setup installs them where it may")
+    made = Screen()
+    yield made
+    made.close()
