@@ -83,8 +83,14 @@ class RealWindow:
             stderr=subprocess.STDOUT,
         )
         self._home = home
-        self._connection = self._connected()
-        self.until("window.isVisible() and window.isActiveWindow()")
+        try:
+            self._connection = self._connected()
+            self.until("window.isVisible() and window.isActiveWindow()")
+        except BaseException:
+            self._program.kill()
+            self._program.wait(10)
+            self._said.close()
+            raise
 
     @property
     def output(self) -> str:
