@@ -13,7 +13,15 @@ from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project import edits
-from bobdesk.project.project import ActualTrack, CalibrationWay, Picture, Project, SourceLine, TargetSet
+from bobdesk.project.project import (
+    ActualTrack,
+    CalibrationWay,
+    ExportChoice,
+    Picture,
+    Project,
+    SourceLine,
+    TargetSet,
+)
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
 from tests.project.made_projects import bends, full_project, traced
@@ -140,6 +148,14 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "set_known_elevations": lambda p, d: edits.set_known_elevations(p, [_known(d), _known(d)]),
     "set_solver": lambda p, d: edits.set_solver(p, _solver(d)),
     "keep_run": lambda p, d: edits.keep_run(p, full_project().runs[d(st.integers(0, 1))]),
+    "choose_export": lambda p, d: edits.choose_export(
+        p,
+        ExportChoice(
+            d(st.sampled_from(["csv", "dxf"])),
+            d(st.sampled_from(["default", "tab"])),
+            d(st.none() | st.floats(0.0, 2000)),
+        ),
+    ),
     "choose_run": lambda p, d: edits.choose_run(p, d(st.none() | index)),
     "name_run": lambda p, d: edits.name_run(p, d(index), d(words)),
     "remove_run": lambda p, d: edits.remove_run(p, d(index)),

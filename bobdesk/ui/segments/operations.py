@@ -101,14 +101,10 @@ class SegmentOperations(QObject):
             self._say_select()
             return
         if chosen[-1] - chosen[0] + 1 != len(chosen):
-            self._desk.notices.note(
-                self.tr("Only neighbours can be merged; select segments that follow each other.")
-            )
+            self._desk.notices.note(self.tr("Only neighbours can be merged; select segments that follow each other."))
             return
         first, last = (chosen[0], chosen[-1]) if len(chosen) > 1 else self._with_neighbour(chosen[0])
-        if self._apply(
-            self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)
-        ):
+        if self._apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
             self._desk.selection.boundary = None
             self.select(first)
 
@@ -144,9 +140,7 @@ class SegmentOperations(QObject):
         if boundary is None:
             self._desk.notices.note(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
             return
-        if self._apply(
-            self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)
-        ):
+        if self._apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
             self._desk.selection.boundary = None
             self.select(boundary)
 

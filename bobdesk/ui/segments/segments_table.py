@@ -32,9 +32,7 @@ class SegmentsTable(Table):
         super().__init__("", self._sorted, fewest_rows=8, most_rows=16, parent=parent)
         self.setAccessibleName(self.tr("Segments"))
         # Letters are keys of actions here (X, C, O, L), so they do not begin to edit.
-        self.setEditTriggers(
-            QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed
-        )
+        self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setItemDelegateForColumn(self.segments.column(KIND), KindDelegate(self.segments.kinds(), self))
         self.setSortingEnabled(True)
@@ -56,14 +54,14 @@ class SegmentsTable(Table):
         lines = [self.segments.headings(), *(self.segments.row_texts(row) for row in chosen)]
         QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines))
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Copy with the usual key."""
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copy()
         else:
             super().keyPressEvent(event)
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:  # noqa: N802
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Repeat every edit with its key."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)

@@ -83,7 +83,9 @@ class CurvatureStrip(Strip):
             return
         shown = self._desk.quantities.number(threshold / self._desk.quantities.length_factor, 4)
         is_automatic = self._desk.session.project.segmentation.threshold is None and not self._now.is_preview
-        text = self.tr("threshold {value} {unit} (automatic) ⇕") if is_automatic else self.tr("threshold {value} {unit} ⇕")
+        text = (
+            self.tr("threshold {value} {unit} (automatic) ⇕") if is_automatic else self.tr("threshold {value} {unit} ⇕")
+        )
         level = Level(threshold, text.format(value=shown, unit=self._unit()), is_draggable=True)
         if level != self.levels.get(THRESHOLD):
             self.set_level(THRESHOLD, level)

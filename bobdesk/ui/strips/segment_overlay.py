@@ -132,7 +132,11 @@ class SegmentOverlay(Overlay):
         """Draw a small closed lock in the middle of locked segments that have room for one."""
         for segment in self._now.segments:
             middle = on.x(0.5 * (segment.start + segment.end))
-            if not segment.locked or on.x(segment.end) - on.x(segment.start) < 18 or not on.area.left() < middle < on.area.right():
+            if (
+                not segment.locked
+                or on.x(segment.end) - on.x(segment.start) < 18
+                or not on.area.left() < middle < on.area.right()
+            ):
                 continue
             top = on.area.top() + 3
             painter.setPen(QPen(shade("text"), 1.3))
@@ -161,7 +165,9 @@ class SegmentOverlay(Overlay):
         painter.drawRoundedRect(box, 4, 4)
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.setPen(shade("text"))
-        painter.drawText(box.adjusted(8, 4, -8, -4), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, "\n".join(lines))
+        painter.drawText(
+            box.adjusted(8, 4, -8, -4), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, "\n".join(lines)
+        )
 
 
 def drag_lines(desk: Desk, drag: BoundaryDrag) -> list[str]:

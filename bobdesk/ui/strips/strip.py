@@ -188,25 +188,25 @@ class Strip(QWidget):
         self._mouse.paint(painter, on)
         painter.setClipping(False)
 
-    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802 - Qt's name
+    def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw what changes with the mouse; the curves are kept as a picture."""
         painter = QPainter(self)
         self.draw(painter, float(self.width()), float(self.height()), held=self._held_curves())
         painter.end()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
+    def resizeEvent(self, event: QResizeEvent) -> None:
         """Draw the curves anew."""
         super().resizeEvent(event)
         self._held = None
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Take other colours or letters."""
         super().changeEvent(event)
         if event.type() in (QEvent.Type.PaletteChange, QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self._held = None
             self.update()
 
-    def sizeHint(self) -> QSize:  # noqa: N802
+    def sizeHint(self) -> QSize:
         """Return a size in which the numbers at the left do not crowd."""
         return QSize(600, 104)
 

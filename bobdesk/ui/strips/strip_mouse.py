@@ -48,7 +48,7 @@ class StripMouse(QObject):
         self._grip: _Grip | None = None
         strip.installEventFilter(self)
 
-    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         """Take what concerns the mouse."""
         kind = event.type()
         if isinstance(event, QMouseEvent):

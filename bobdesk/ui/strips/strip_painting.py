@@ -95,7 +95,9 @@ def draw_frame(painter: QPainter, on: Geometry, words: Words, width: float, *, f
         if words.has_axis:
             painter.setPen(shade("muted"))
             box = QRectF(x - 60, on.area.bottom() + 3, 120, AXIS - 3)
-            painter.drawText(box, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, words.number(shown, digits))
+            painter.drawText(
+                box, Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop, words.number(shown, digits)
+            )
     if words.has_axis:
         painter.setPen(shade("muted"))
         box = QRectF(2, on.area.bottom() + 3, LEFT - 10, AXIS - 3)

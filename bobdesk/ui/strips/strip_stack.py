@@ -129,7 +129,7 @@ class StripStack(QWidget):
         self._desk.selection.boundary = None
         return had
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move cursor or boundary, zoom, cancel."""
         key = Qt.Key(event.key())
         ways = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}
@@ -148,13 +148,13 @@ class StripStack(QWidget):
         elif not (key == Qt.Key.Key_Escape and self.cancel()):
             super().keyPressEvent(event)
 
-    def eventFilter(self, watched: object, event: QEvent) -> bool:  # type: ignore[override]  # noqa: N802
+    def eventFilter(self, watched: object, event: QEvent) -> bool:  # type: ignore[override]
         """Take the keyboard with a click on any strip."""
         if event.type() == QEvent.Type.MouseButtonPress:
             self.setFocus(Qt.FocusReason.MouseFocusReason)
         return super().eventFilter(watched, event)  # type: ignore[arg-type]
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Draw the icons in the colours of another palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
