@@ -25,6 +25,7 @@ from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import (
     ActualTrack,
     CalibrationChoice,
+    ExportChoice,
     Extent,
     Limits,
     Picture,
@@ -157,6 +158,7 @@ def _project(found: schema.Document, tables: _Tables) -> Project:
         runs=tuple(_run(run, tables) for run in found.runs),
         chosen_run=found.chosen_run,
         actual=None if actual is None else ActualTrack(actual.name, np.array(actual.points).reshape(-1, 3)),
+        export=ExportChoice() if found.export is None else _built(ExportChoice, found.export),
     )
 
 
@@ -196,7 +198,9 @@ def _segments(found: list[schema.SegmentEntry]) -> Segments:
 
 
 def _solver(found: schema.SolverEntry) -> SolverSettings:
-    return SolverSettings(found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate)
+    return SolverSettings(
+        found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate, found.threshold
+    )
 
 
 def _run(found: schema.RunEntry, tables: _Tables) -> Run:

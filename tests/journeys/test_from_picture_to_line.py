@@ -9,7 +9,6 @@ import pytest
 
 from bobdesk.files.project_file import load_project
 from bobdesk.project import derive
-from tests.journeys.real_window import RealWindow
 
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_thin"
 
@@ -36,14 +35,14 @@ def steps_to_the_start(program):
     return count
 
 
-def test_whole_way_with_a_crash_in_the_middle(screen, tmp_path, truth):
+def test_whole_way_with_a_crash_in_the_middle(opened, tmp_path, truth):
     home = tmp_path / "home"
     plan = tmp_path / "igls.jpg"
     shutil.copyfile(SAMPLE / "plan.jpg", plan)
     about = json.loads((SAMPLE / "truth.json").read_text())
     first, last = truth[0], truth[-1]
 
-    program = RealWindow(screen, home)
+    program = opened(home)
     program.drop_file(plan, 700, 500)
     program.until("desk.picture.image is not None")
     assert program.ask("project.picture.name") == "igls.jpg"
@@ -113,7 +112,7 @@ def test_whole_way_with_a_crash_in_the_middle(screen, tmp_path, truth):
     assert load_project(saved).trace.points[0].tolist() != turned
 
     # Opened again: what was not saved is offered, and on it goes.
-    program = RealWindow(screen, home)
+    program = opened(home)
     program.click_on("Recover")
     program.until("desk.session.is_open")
     assert program.ask("project.trace.points[0].tolist()") == turned

@@ -1,10 +1,8 @@
 """The real program on a real screen: it opens, shows a sample, and closes without a word on the terminal."""
 
-from tests.journeys.real_window import RealWindow
 
-
-def test_sample_opens_finished_and_the_program_ends_cleanly(screen, tmp_path):
-    program = RealWindow(screen, tmp_path)
+def test_sample_opens_finished_and_the_program_ends_cleanly(opened, tmp_path):
+    program = opened(tmp_path)
     program.click_on("Open sample")
     program.until("[str(a.text()) for a in window.start.page.sample_menu().actions()]")
     program.key("Down", "Return")
