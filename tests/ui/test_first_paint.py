@@ -19,13 +19,13 @@ class Painted(QObject):
     def eventFilter(self, watched, event):
         if event.type() == QEvent.Type.Paint and not painted:
             painted.append([name for name in ("scipy", "shapely", "pyqtgraph") if name in sys.modules])
-            qt.quit()
         return False
 
 watcher = Painted()
-window.start.page.installEventFilter(watcher)
+qt.installEventFilter(watcher)
 window.show()
-qt.exec()
+while not painted:
+    qt.processEvents()
 window.close()
 print(painted)
 """
