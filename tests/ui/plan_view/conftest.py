@@ -1,0 +1,43 @@
+"""A plan view with a picture, and a hand over it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from bobdesk.project.project import Project
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.notices import Notice
+from bobdesk.ui.plan_view.view import PlanView
+from tests.ui.plan_view.made_view import Hand, picture
+
+
+@pytest.fixture
+def view(qtbot: QtBot, desk: Desk, until: Callable[[Callable[[], bool]], None]) -> Iterator[PlanView]:
+    """A view of 800 by 800 that shows a drawn circle of 400 by 400 pixels."""
+    made = PlanView(desk)
+    qtbot.addWidget(made)
+    made.resize(800, 800)
+    made.show()
+    desk.session.open(Project(picture=picture()), None)
+    until(lambda: desk.picture.decoded is not None)
+    made.setFocus()
+    yield made
+    desk.runner.close()
+    made.close()
+
+
+@pytest.fixture
+def hand(view: PlanView) -> Hand:
+    """A hand over the view."""
+    return Hand(view)
+
+
+@pytest.fixture
+def told(desk: Desk) -> list[Notice]:
+    """The notices, as they come."""
+    found: list[Notice] = []
+    desk.notices.told.connect(found.append)
+    return found
