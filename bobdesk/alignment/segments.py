@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -94,6 +95,7 @@ def segment_at(segments: Segments, station: float) -> int:
 
 def split(segments: Segments, station: float, *, shortest: float = SHORTEST) -> Segments:
     """Cut the segment at a station into two of the same kind."""
+    _refuse_no_number(station)
     index = segment_at(segments, station)
     segment = segments[index]
     _refuse_locked(segment, index, "split")
@@ -125,6 +127,7 @@ def move_boundary(segments: Segments, boundary: int, station: float, *, shortest
     """
     if not 0 <= boundary < len(segments) - 1:
         raise InputError("the line's ends are no boundaries between segments")
+    _refuse_no_number(station)
     before, after = segments[boundary], segments[boundary + 1]
     _refuse_locked(before, boundary, "moved")
     _refuse_locked(after, boundary + 1, "moved")
@@ -240,6 +243,11 @@ def _with_names(segments: Segments, previous: Segments) -> Segments:
 
 def _with(segments: Segments, index: int, segment: Segment) -> Segments:
     return (*segments[:index], segment, *segments[index + 1 :])
+
+
+def _refuse_no_number(station: float) -> None:
+    if not math.isfinite(station):
+        raise InputError("a boundary needs a station, a number of metres")
 
 
 def _refuse_locked(segment: Segment, index: int, verb: str) -> None:

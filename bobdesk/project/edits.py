@@ -35,6 +35,7 @@ from bobdesk.project.picture_edits import (
     write_notes,
 )
 from bobdesk.project.run_edits import (
+    choose_export,
     choose_run,
     keep_run,
     name_run,
@@ -102,6 +103,7 @@ __all__ = [
     "change_control_point",
     "change_known_distance",
     "change_known_elevation",
+    "choose_export",
     "choose_run",
     "choose_scale_way",
     "choose_target_set",

@@ -50,6 +50,8 @@ class Colours:
     measure: str
     preview: str
     grid: str
+    good_soft: str
+    runs: tuple[str, ...]
 
 
 LIGHT = Colours(
@@ -84,6 +86,8 @@ LIGHT = Colours(
     measure="#7a3fb8",
     preview="#0a8f8f",
     grid="#d5dae1",
+    good_soft="#e8f5ec",
+    runs=("#1b6ec2", "#c2410c", "#1f7a45", "#7a3fb8", "#b3127a", "#6b5a00", "#0a7a8f", "#5f6672"),
 )
 DARK = Colours(
     is_dark=True,
@@ -117,6 +121,8 @@ DARK = Colours(
     measure="#b98af0",
     preview="#2cc4c4",
     grid="#3a414b",
+    good_soft="#1d3527",
+    runs=("#5aa5ef", "#f08a55", "#62c38b", "#b98af0", "#ff7ac6", "#d8c34a", "#3fc1d6", "#a3abb8"),
 )
 
 

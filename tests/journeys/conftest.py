@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 
-from tests.journeys.real_window import Screen, missing
+from tests.journeys.real_window import RealWindow, Screen, missing
 
 
 @pytest.fixture(scope="session")
@@ -18,3 +18,17 @@ def screen() -> Iterator[Screen]:
     made = Screen()
     yield made
     made.close()
+
+
+@pytest.fixture
+def opened(screen: Screen) -> Iterator[Callable[..., RealWindow]]:
+    """Return what starts the program; what a failed journey leaves running is ended."""
+    programs: list[RealWindow] = []
+
+    def start(*arguments: object, **named: object) -> RealWindow:
+        programs.append(RealWindow(screen, *arguments, **named))
+        return programs[-1]
+
+    yield start
+    for program in programs:
+        program.kill()

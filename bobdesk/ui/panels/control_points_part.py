@@ -11,6 +11,7 @@ from bobdesk.plan.control_points import ControlPoint
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
 from bobdesk.ui.actions.scale_actions import ScaleActions
+from bobdesk.ui.panels.worst_item import WorstItem, worst_item
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
 from bobdesk.ui.widgets.notice_box import NoticeBox
 from bobdesk.ui.widgets.panel import Panel
@@ -21,9 +22,6 @@ from bobdesk.ui.widgets.typed_number import number_to_edit, typed_number
 if TYPE_CHECKING:
     from bobdesk.plan.calibration_fit import CalibrationFit, PointResidual
 
-# A point is said to disagree if the RMS falls below this share without it.
-_DISAGREES = 0.6
-
 
 class ControlPointsPart(Part):
     """A row for each control point; the selected row is the selected point everywhere."""
@@ -32,6 +30,7 @@ class ControlPointsPart(Part):
         super().__init__(panel)
         self.name_it(self.tr("Control points"))
         self._fit: CalibrationFit | None = None
+        self._worst: WorstItem | None = None
         self._actions = ScaleActions(self.desk, self)
         self.model = ColumnsModel(
             self._columns(),
@@ -77,12 +76,13 @@ class ControlPointsPart(Part):
         """Show the points of a project."""
         has_some = bool(project.control_points or project.known_distances)
         self._fit = derive.calibration_fit(project).value if has_some else None
-        self.model.refresh()
         self.table.setVisible(bool(project.control_points))
         self.hint.setVisible(not project.control_points)
         self.save_button.setEnabled(self._actions.can_save())
         self.load_button.setEnabled(self._actions.can_load())
         self.remove_button.setEnabled(self._actions.can_remove())
+        self._worst = worst_item(self._fit)
+        self.model.refresh()
         self._say_worst()
 
     def _columns(self) -> tuple[Column, ...]:
@@ -170,35 +170,22 @@ class ControlPointsPart(Part):
         label = self.tr("Switch control point on") if used else self.tr("Switch control point off")
         return self.desk.session.apply(label, lambda project: edits.use_control_point(project, row, used=used))
 
-    def _worst_row(self) -> int | None:
-        """Return the row that disagrees with the others, if one does."""
-        fit = self._fit
-        if fit is None or fit.worst is None or fit.rms_m is None or fit.worst.rms_without_m is None:
-            return None
-        if fit.worst.rms_without_m > _DISAGREES * fit.rms_m:
-            return None
-        name = fit.worst.name
-        rows = [row for row, point in enumerate(fit.points) if point.used and point.name == name]
-        return max(rows, key=lambda row: fit.points[row].norm_m) if rows else None
-
     def _why_it_stands_out(self, row: int) -> str:
-        if row != self._worst_row():
+        worst = self._worst
+        if worst is None or worst.kind != "point" or worst.row != row:
             return ""
         return self.tr("This point disagrees with the others.")
 
     def _say_worst(self) -> None:
-        row, fit = self._worst_row(), self._fit
-        if row is None or fit is None or fit.worst is None:
+        worst = self._worst
+        if worst is None or worst.kind != "point":
             self.worst_box.say("")
             return
         length = self.desk.quantities.length
         text = self.tr("Point {name} disagrees with the others. Without it the RMS falls from {now} to {then}.")
-        sentence = text.format(
-            name=self.name_of(row), now=length(fit.rms_m, 2), then=length(fit.worst.rms_without_m, 2)
-        )
-        point = self._points[row]
+        row, point = worst.row, self._points[worst.row]
         self.worst_box.say(
-            sentence,
+            text.format(name=self.name_of(row), now=length(worst.rms_m, 2), then=length(worst.rms_without_m, 2)),
             (
                 (self.tr("Switch it off"), lambda: self._use(row, False)),
                 (self.tr("Show it"), lambda: self._show(row, point)),

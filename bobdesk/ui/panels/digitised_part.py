@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QComboBox
 
 from bobdesk.project import edits
 from bobdesk.project.project import DigitisedLine, Project
+from bobdesk.ui.widgets.calm import Chooser
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin
@@ -21,9 +21,7 @@ class DigitisedPart(Part):
         super().__init__(panel)
         self.name_it(self.tr("Digitised line"))
         form = panel.add_form(self.column)
-        self.line = QComboBox(self)
-        self.line.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.line.setMinimumContentsLength(8)
+        self.line = Chooser(self.tr("Digitised line"), self)
         lines: tuple[tuple[DigitisedLine, str], ...] = (
             ("centre", self.tr("Centre")),
             ("left edge", self.tr("Left edge")),
@@ -48,7 +46,7 @@ class DigitisedPart(Part):
             self.line.setCurrentIndex(self.line.findData(project.extent.digitised))
         unit = self.desk.quantities
         self._form.setRowVisible(self.offset, project.extent.digitised != "centre")
-        self.offset.setSuffix(f" {unit.length_unit}")
+        self.offset.show_unit(unit.length_unit)
         self.offset.show_range(0.0, _WIDEST_M * unit.length_factor)
         self.offset.show_value(project.extent.offset * unit.length_factor)
 

@@ -9,7 +9,9 @@ from typing import Any
 from bobdesk.errors import InputError
 from bobdesk.plan.control_points import KnownDistance
 from bobdesk.project.project import Project
+from bobdesk.ui.panels.worst_item import WorstItem
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
+from bobdesk.ui.widgets.notice_box import NoticeBox
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.table import Table
@@ -52,6 +54,7 @@ class DistancesPart(Part):
 
     def __init__(self, panel: Panel, kind: DistanceKind) -> None:
         super().__init__(panel)
+        self._worst: WorstItem | None = None
         self.name_it(kind.heading)
         self._kind = kind
         self._metres_per_pixel: float | None = None
@@ -59,6 +62,7 @@ class DistancesPart(Part):
             self._columns(),
             lambda: len(self._items),
             panel.refuse,
+            stands_out=self._why_it_stands_out,
             is_faint=lambda row: not self._items[row].used,
             parent=self,
         )
@@ -73,6 +77,8 @@ class DistancesPart(Part):
         self.show_button.clicked.connect(self._show_selected)
         self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected distance away"), "delete")
         self.remove_button.clicked.connect(self._remove_selected)
+        self.worst_box = NoticeBox(self)
+        self.column.addWidget(self.worst_box)
         self.table.selectionModel().selectionChanged.connect(self._on_selected)
         self.model.modelReset.connect(self._on_selected)
         self.desk.quantities.changed.connect(self.model.refresh_headings)
@@ -87,14 +93,17 @@ class DistancesPart(Part):
         rows = self.table.selectionModel().selectedRows()
         return rows[0].row() if rows else None
 
-    def refresh(self, project: Project, metres_per_pixel: float | None) -> None:
+    def refresh(self, project: Project, metres_per_pixel: float | None, worst: WorstItem | None = None) -> None:
         """Show the distances of a project.
 
         Parameters
         ----------
         metres_per_pixel
             Of the scale in force, None while there is none.
+        worst
+            What spoils the fit, if these distances take part in it.
         """
+        self._worst = worst if worst is not None and worst.kind == "distance" else None
         self._metres_per_pixel = metres_per_pixel
         self.model.refresh()
         some = bool(self._kind.items(project))
@@ -102,6 +111,7 @@ class DistancesPart(Part):
         self.hint.setVisible(not some)
         self.show_button.setVisible(some)
         self.remove_button.setVisible(some)
+        self._say_worst()
         self._on_selected()
 
     def _columns(self) -> tuple[Column, ...]:
@@ -146,6 +156,7 @@ class DistancesPart(Part):
                 lambda: self.tr("Difference"),
                 self.tr("Plan minus known"),
                 self._difference,
+                marks=True,
             ),
             end(self.tr("From px"), self.tr("Where it begins in the picture: x / y, pixels"), "start_px"),
             end(self.tr("To px"), self.tr("Where it ends in the picture: x / y, pixels"), "end_px"),
@@ -178,14 +189,42 @@ class DistancesPart(Part):
         self.show_button.setEnabled(chosen)
         self.remove_button.setEnabled(chosen)
 
+    def _why_it_stands_out(self, row: int) -> str:
+        if self._worst is None or self._worst.row != row:
+            return ""
+        return self.tr("This distance disagrees with the rest.")
+
+    def _say_worst(self) -> None:
+        worst = self._worst
+        if worst is None:
+            self.worst_box.say("")
+            return
+        length = self.desk.quantities.length
+        text = self.tr("Distance {name} disagrees with the rest. Without it the RMS falls from {now} to {then}.")
+        row = worst.row
+        self.worst_box.say(
+            text.format(
+                name=self._items[row].name or row + 1,
+                now=length(worst.rms_m, 2),
+                then=length(worst.rms_without_m, 2),
+            ),
+            (
+                (self.tr("Switch it off"), lambda: self._change(row, used=False)),
+                (self.tr("Show it"), lambda: self._show(row)),
+            ),
+        )
+
     def _remove_selected(self) -> None:
         row = self.selected_row
         if row is not None:
             self.desk.session.apply(self._kind.remove_label, self._kind.remove(row))
 
     def _show_selected(self) -> None:
-        row = self.selected_row
-        if row is not None:
+        if self.selected_row is not None:
+            self._show(self.selected_row)
+
+    def _show(self, row: int) -> None:
+        if row < len(self._items):
             known = self._items[row]
             middle = [(a + b) / 2 for a, b in zip(known.start_px, known.end_px, strict=True)]
             self.panel.place_wanted.emit(middle[0], middle[1])

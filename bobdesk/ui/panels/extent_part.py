@@ -55,7 +55,7 @@ class ExtentPart(Part):
         extent = project.extent
         most = whole * self._shown_per_unit
         for spin in (self.start, self.finish, self.cut):
-            spin.setSuffix(f" {unit}")
+            spin.show_unit(unit)
             spin.show_range(0.0, most)
         self.start.show_value(extent.start * self._shown_per_unit)
         self.finish.show_value(most if extent.finish is None else extent.finish * self._shown_per_unit)

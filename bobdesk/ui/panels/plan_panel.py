@@ -51,9 +51,6 @@ class PlanPanel(Panel):
         self.add_field(form, self.tr("Notes"), self.notes, self.tr("Free text, kept in the project"))
         self.notes.textChanged.connect(self._on_notes)
         self.source = PlanSourcePart(self)
-        self.page = PagePart(self)
-        self.digitised = DigitisedPart(self)
-        self.actual = ActualPart(self)
         flow = self.add_buttons()
         picture = self.button(
             flow, self.tr("New from picture…"), self.tr("Begin with a scan, drawing, PDF or aerial"), "picture"
@@ -63,6 +60,9 @@ class PlanPanel(Panel):
             flow, self.tr("New from coordinates…"), self.tr("Begin with CSV, DXF, GeoJSON, KML, GPX …"), "coordinates"
         )
         coordinates.clicked.connect(self.coordinates_wanted)
+        self.page = PagePart(self)
+        self.digitised = DigitisedPart(self)
+        self.actual = ActualPart(self)
         self.actual.wanted.connect(self.comparison_wanted)
         self.column.addStretch(1)
         desk.session.changed.connect(self._on_changed)

@@ -12,6 +12,7 @@ from bobdesk.ui.panels.control_points_part import ControlPointsPart
 from bobdesk.ui.panels.distances_part import DistanceKind, DistancesPart
 from bobdesk.ui.panels.scale_fit_part import ScaleFitPart
 from bobdesk.ui.panels.scale_way_part import ScaleWayPart
+from bobdesk.ui.panels.worst_item import worst_item
 from bobdesk.ui.session import Edit
 from bobdesk.ui.widgets.panel import Panel
 
@@ -71,9 +72,10 @@ class ScalePanel(Panel):
         per_pixel = None if known is None else known.metres_per_pixel
         self.way.refresh(project, found)
         self.points.refresh(project)
-        self.distances.refresh(project, per_pixel)
+        fit = derive.calibration_fit(project).value
+        self.distances.refresh(project, per_pixel, worst_item(fit) if project.calibration.way == "points" else None)
         self.checks.refresh(project, per_pixel)
-        self.fit.refresh(project, known, derive.calibration_fit(project).value)
+        self.fit.refresh(project, known, fit)
 
     def _known_kind(self) -> DistanceKind:
         def change(index: int, known: KnownDistance) -> Edit:

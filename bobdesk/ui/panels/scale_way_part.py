@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker
-from PySide6.QtWidgets import QComboBox
 
 from bobdesk.project import derive, edits
 from bobdesk.project.project import CalibrationWay, Project
+from bobdesk.ui.widgets.calm import Chooser
 from bobdesk.ui.widgets.number_field import NumberField
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
@@ -24,10 +24,7 @@ class ScaleWayPart(Part):
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
         self.name_it(self.tr("Where the scale comes from"))
-        self.chooser = QComboBox(self)
-        self.chooser.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.chooser.setMinimumContentsLength(12)
-        self.chooser.setAccessibleName(self.tr("Where the scale comes from"))
+        self.chooser = Chooser(self.tr("Where the scale comes from"), self)
         self.chooser.setToolTip(self.tr("How pixels of the plan become metres"))
         self.chooser.activated.connect(self._on_activated)
         self.column.addWidget(self.chooser)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QSlider
+from PySide6.QtCore import QSignalBlocker
 
 from bobdesk.project import edits
 from bobdesk.project.project import Project
@@ -13,6 +12,7 @@ from bobdesk.ui.derived import centreline_later
 from bobdesk.ui.newest import Newest
 from bobdesk.ui.panels.plan_length import PlanLength, plan_length
 from bobdesk.ui.plots.curvature_strip import CurvatureStrip
+from bobdesk.ui.widgets.calm import Slider
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin
@@ -49,19 +49,18 @@ class SmoothingPart(Part):
             self.tr("Waves that are shorter are taken for noise: 15 m suits traces, 20 m clicks, 0 smooths nothing"),
         )
         self.wavelength.valueChanged.connect(self._on_wavelength)
-        self.slider = QSlider(Qt.Orientation.Horizontal, self)
+        self.slider = Slider(self.tr("Smoothing wavelength"), self)
         self.slider.setRange(0, _SLIDER_LONGEST * _SLIDER_STEPS_A_METRE)
         self.slider.setPageStep(5 * _SLIDER_STEPS_A_METRE)
-        self.slider.setAccessibleName(self.tr("Smoothing wavelength"))
         self.slider.setToolTip(self.tr("Drag to see what smoothing does to the curvature"))
         self.slider.valueChanged.connect(self._on_slider)
         self.slider.sliderReleased.connect(self._on_released)
         self.column.addWidget(self.slider)
         self.strip = CurvatureStrip(self.desk, self)
         self.column.addWidget(self.strip)
-        figures = panel.add_form(self.column)
-        self.length = panel.add_value(figures, self.tr("Plan length"))
-        self.parts = panel.add_value(figures, self.tr("± from"))
+        figures = panel.add_facts(self.column)
+        self.length = figures.add(self.tr("Plan length"))
+        self.parts = figures.add(self.tr("± from"))
         self._figures = figures
         self._found: PlanLength | None = None
         self._line = centreline_later(self.desk)
@@ -75,7 +74,7 @@ class SmoothingPart(Part):
         unit = self.desk.quantities
         factor = unit.length_factor
         for spin in (self.spacing, self.wavelength):
-            spin.setSuffix(f" {unit.length_unit}")
+            spin.show_unit(unit.length_unit)
         self.spacing.show_range(_SMALLEST_SPACING * factor, _LARGEST_SPACING * factor)
         self.wavelength.show_range(0.0, _LONGEST_WAVE * factor)
         self.spacing.show_value(project.fit.spacing * factor)
@@ -140,7 +139,7 @@ class SmoothingPart(Part):
 
     def _show_length(self) -> None:
         found, length = self._found, self.desk.quantities.length
-        self._figures.setRowVisible(self.parts, found is not None and found.sigma is not None)
+        self._figures.show_row(self.parts, found is not None and found.sigma is not None)
         if found is None:
             return
         text = length(found.length, 1)

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
+from bobdesk.ui.widgets.facts import Facts
 from bobdesk.ui.widgets.flow_layout import FlowLayout
 
 _MARGIN = 14
@@ -102,21 +103,11 @@ class Panel(QScrollArea):
         (to or self.column).addLayout(form)
         return form
 
-    def add_value(self, form: QFormLayout, text: str) -> QLabel:
-        """Add a row that only shows something."""
-        value = QLabel(self._body)
-        value.setWordWrap(True)
-        value.setTextFormat(Qt.TextFormat.PlainText)
-        value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        value.setAccessibleName(text)
-        # A new policy would forget that wrapped text is higher where it is narrower.
-        policy = value.sizePolicy()
-        policy.setHorizontalPolicy(QSizePolicy.Policy.Expanding)
-        value.setSizePolicy(policy)
-        label = QLabel(text, self._body)
-        label.setProperty("kind", "muted")
-        form.addRow(label, value)
-        return value
+    def add_facts(self, to: QVBoxLayout) -> Facts:
+        """Add rows that only show something."""
+        facts = Facts(self._body)
+        to.addWidget(facts)
+        return facts
 
     def add_field(self, form: QFormLayout, text: str, field: QWidget, tip: str) -> QWidget:
         """Add a row with something to set."""

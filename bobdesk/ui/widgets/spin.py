@@ -29,6 +29,11 @@ class Spin(QDoubleSpinBox):
             with QSignalBlocker(self):
                 self.setValue(value)
 
+    def show_unit(self, unit: str) -> None:
+        """Show a unit behind the number; what is being typed is left alone."""
+        if self.suffix() != f" {unit}":
+            self.setSuffix(f" {unit}")
+
     def show_range(self, lowest: float, highest: float) -> None:
         """Allow other numbers without telling of one."""
         with QSignalBlocker(self):
