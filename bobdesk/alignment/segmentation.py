@@ -19,7 +19,7 @@ from bobdesk.alignment.labels import (
     otsu_threshold,
 )
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segment, Segments, keep_locked
+from bobdesk.alignment.segments import Segment, Segments, is_kept, keep_corrections
 from bobdesk.arrays import FloatArray, IntArray
 from bobdesk.errors import InputError
 
@@ -33,7 +33,7 @@ _UNSURE_AT_ENDS = 7.5
 def detect_segments(
     centreline: Centreline, settings: SegmentationSettings | None = None, *, previous: Segments = ()
 ) -> Segments:
-    """Find the straights and curves; locked segments of `previous` stay as they are.
+    """Find the straights and curves; locked and hand-made segments of `previous` stay as they are.
 
     Raises
     ------
@@ -43,9 +43,9 @@ def detect_segments(
     settings = settings or SegmentationSettings()
     _check(settings)
     detected = _detected(centreline, settings)
-    if not any(segment.locked for segment in previous):
+    if not any(is_kept(segment) or segment.name for segment in previous):
         return detected
-    return keep_locked(detected, previous, shortest=settings.shortest)
+    return keep_corrections(detected, previous, shortest=settings.shortest)
 
 
 def threshold_of(centreline: Centreline, settings: SegmentationSettings) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -12,6 +14,7 @@ Kind = Literal["straight", "curve"]
 Segments = tuple["Segment", ...]
 SHORTEST = 3.0
 _SAME_STATION = 1e-6
+_CURVE_NUMBER = re.compile(r"^\d+(?:\s+|$)")
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,8 @@ class Segment:
         Detecting again leaves it as it is.
     name
         Curve number or name, as the track has it; may be empty.
+    by_hand
+        Somebody has set its kind or its boundaries; detecting again leaves it too, editing does not.
     """
 
     kind: Kind
@@ -35,6 +40,7 @@ class Segment:
     end: float
     locked: bool = False
     name: str = ""
+    by_hand: bool = False
 
     @property
     def length(self) -> float:
@@ -89,12 +95,16 @@ def segment_at(segments: Segments, station: float) -> int:
 
 def split(segments: Segments, station: float, *, shortest: float = SHORTEST) -> Segments:
     """Cut the segment at a station into two of the same kind."""
+    _refuse_no_number(station)
     index = segment_at(segments, station)
     segment = segments[index]
     _refuse_locked(segment, index, "split")
     if min(station - segment.start, segment.end - station) < shortest:
         raise InputError(f"a cut at {station:g} m would leave a segment shorter than {shortest:g} m")
-    parts = (replace(segment, end=station), replace(segment, start=station, name=""))
+    parts = (
+        replace(segment, end=station, by_hand=True),
+        replace(segment, start=station, name="", by_hand=True),
+    )
     return segments[:index] + parts + segments[index + 1 :]
 
 
@@ -106,7 +116,7 @@ def merge(segments: Segments, first: int, last: int) -> Segments:
     for index, segment in enumerate(chosen, first):
         _refuse_locked(segment, index, "merged")
     longest = max(chosen, key=lambda segment: segment.length)
-    merged = replace(longest, start=chosen[0].start, end=chosen[-1].end)
+    merged = replace(longest, start=chosen[0].start, end=chosen[-1].end, by_hand=True)
     return (*segments[:first], merged, *segments[last + 1 :])
 
 
@@ -117,12 +127,15 @@ def move_boundary(segments: Segments, boundary: int, station: float, *, shortest
     """
     if not 0 <= boundary < len(segments) - 1:
         raise InputError("the line's ends are no boundaries between segments")
+    _refuse_no_number(station)
     before, after = segments[boundary], segments[boundary + 1]
     _refuse_locked(before, boundary, "moved")
     _refuse_locked(after, boundary + 1, "moved")
     room = min(shortest, before.length, after.length)
     station = min(max(station, before.start + room), after.end - room)
-    pair = (replace(before, end=station), replace(after, start=station))
+    if station == before.end:
+        return segments
+    pair = (replace(before, end=station, by_hand=True), replace(after, start=station, by_hand=True))
     return segments[:boundary] + pair + segments[boundary + 2 :]
 
 
@@ -130,7 +143,7 @@ def flip_kind(segments: Segments, index: int) -> Segments:
     """Turn a straight into a curve, or a curve into a straight."""
     _refuse_locked(segments[index], index, "changed")
     kind: Kind = "curve" if segments[index].kind == "straight" else "straight"
-    return _with(segments, index, replace(segments[index], kind=kind))
+    return _with(segments, index, replace(segments[index], kind=kind, by_hand=True))
 
 
 def set_locked(segments: Segments, index: int, *, locked: bool) -> Segments:
@@ -143,28 +156,54 @@ def rename(segments: Segments, index: int, name: str) -> Segments:
     return _with(segments, index, replace(segments[index], name=name.strip()))
 
 
-def keep_locked(detected: Segments, previous: Segments, *, shortest: float = SHORTEST) -> Segments:
-    """Return the detected segments with the locked ones of `previous` laid over them.
+def number_curves(segments: Segments) -> Segments:
+    """Number the curves from the start, as tracks have them; straights lose a number, free names stay.
 
-    What remains of a detected segment beside a locked one, and is shorter than `shortest`, joins a
-    neighbour that is not locked; between two locked ones it stays.
+    A curve with a free name ("Kreisel") counts but keeps its name alone; "7 Kreisel" becomes "9 Kreisel"
+    where it is the ninth.
+    """
+    numbered = []
+    count = 0
+    for segment in segments:
+        free = _CURVE_NUMBER.sub("", segment.name)
+        had_number = free != segment.name
+        if segment.kind == "straight":
+            numbered.append(segment if not had_number else replace(segment, name=free))
+            continue
+        count += 1
+        name = f"{count} {free}".strip() if had_number or not free else free
+        numbered.append(segment if name == segment.name else replace(segment, name=name))
+    return tuple(numbered)
+
+
+def is_kept(segment: Segment) -> bool:
+    """Return whether detecting again leaves a segment as it is."""
+    return segment.locked or segment.by_hand
+
+
+def keep_corrections(detected: Segments, previous: Segments, *, shortest: float = SHORTEST) -> Segments:
+    """Return the detected segments with the locked and hand-made ones of `previous` laid over them.
+
+    What remains of a detected segment beside one that is kept, and is shorter than `shortest`, joins a
+    neighbour: a detected one, or else a hand-made one; between two locked ones it stays. Names go to
+    the detected segment of the same kind that lies where the named one lay.
     """
     result = list(detected)
-    for lock in previous:
-        if lock.locked:
-            result = [part for segment in result for part in _without(segment, lock)]
-            result.append(lock)
+    for kept in previous:
+        if is_kept(kept):
+            result = [part for segment in result for part in _without(segment, kept)]
+            result.append(kept)
             result.sort(key=lambda segment: segment.start)
-    return _join_slivers(result, shortest)
+    return _with_names(_join_slivers(result, shortest), previous)
 
 
-def _without(segment: Segment, lock: Segment) -> list[Segment]:
-    """Return the parts of a segment that lie outside a locked one."""
-    if segment.locked or segment.end <= lock.start or segment.start >= lock.end:
+def _without(segment: Segment, kept: Segment) -> list[Segment]:
+    """Return the parts of a segment that lie outside one that is kept."""
+    if is_kept(segment) or segment.end <= kept.start or segment.start >= kept.end:
         return [segment]
     parts = [
-        replace(segment, end=min(segment.end, lock.start)),
-        replace(segment, start=max(segment.start, lock.end)),
+        replace(segment, end=min(segment.end, kept.start)),
+        replace(segment, start=max(segment.start, kept.end)),
     ]
     return [part for part in parts if part.length > _SAME_STATION]
 
@@ -173,8 +212,9 @@ def _join_slivers(segments: list[Segment], shortest: float) -> Segments:
     index = 0
     while index < len(segments):
         segment = segments[index]
-        free = [i for i in (index - 1, index + 1) if 0 <= i < len(segments) and not segments[i].locked]
-        if segment.locked or segment.length >= shortest or not free:
+        around = [i for i in (index - 1, index + 1) if 0 <= i < len(segments) and not segments[i].locked]
+        free = [i for i in around if not segments[i].by_hand] or around
+        if is_kept(segment) or segment.length >= shortest or not free:
             index += 1
             continue
         other = max(free, key=lambda i: segments[i].length)
@@ -188,8 +228,26 @@ def _join_slivers(segments: list[Segment], shortest: float) -> Segments:
     return tuple(segments)
 
 
+def _with_names(segments: Segments, previous: Segments) -> Segments:
+    result = list(segments)
+    for named in previous:
+        if not named.name or is_kept(named):
+            continue
+        shared = [min(one.end, named.end) - max(one.start, named.start) for one in result]
+        best = max(range(len(result)), key=shared.__getitem__)
+        one = result[best]
+        if one.kind == named.kind and not one.name and 2 * shared[best] > named.length:
+            result[best] = replace(one, name=named.name)
+    return tuple(result)
+
+
 def _with(segments: Segments, index: int, segment: Segment) -> Segments:
     return (*segments[:index], segment, *segments[index + 1 :])
+
+
+def _refuse_no_number(station: float) -> None:
+    if not math.isfinite(station):
+        raise InputError("a boundary needs a station, a number of metres")
 
 
 def _refuse_locked(segment: Segment, index: int, verb: str) -> None:

@@ -19,7 +19,7 @@ from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments, stretched
 from bobdesk.cli.targets import TargetOptions, targets_of
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import check_writable
+from bobdesk.files.atomic import check_writable, resolved
 from bobdesk.files.importers.formats import import_formats, read_line
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
@@ -62,13 +62,20 @@ def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | Non
     given = [path for path in outputs if path is not None]
     for path in given:
         check_writable(path)
-    places = [path.resolve() for path in given]
+    places = [resolved(path) for path in given]
     if len(set(places)) < len(places):
         raise click.UsageError("two outputs have the same name")
     read = [path for path in inputs if path is not None]
     for path, place in zip(given, places, strict=True):
-        if any(place == other.resolve() for other in read):
+        if any(_leads_to(other, place) for other in read):
             raise click.UsageError(f"{path}: the output would overwrite an input; give it another name")
+
+
+def _leads_to(path: Path, place: Path) -> bool:
+    try:
+        return resolved(path) == place
+    except OSError:  # a link in a circle leads nowhere; reading it says so
+        return False
 
 
 def read_plan(path: Path) -> ImportedLine:

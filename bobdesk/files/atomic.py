@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import re
 import stat
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
 from bobdesk.errors import InputError
+
+STAGED = (".bobdesk-", ".part")  # how the name of a file begins and ends that is not yet in its place
 
 
 def write_atomic(path: Path, content: bytes) -> None:
@@ -37,10 +41,10 @@ def write_all(files: Mapping[Path, bytes]) -> None:
         for path, content in files.items():
             check_writable(path)
             try:
-                place = path.resolve()
+                place = resolved(path)
                 staged.append((_staged(place, content), place))
-            except OSError as error:
-                raise InputError(f"{path}: cannot be written: {reason(error)}") from error
+            except (OSError, ValueError) as error:
+                raise InputError(f"{_shown(path)}: cannot be written: {reason(error)}") from error
         for temporary, place in staged:
             try:
                 temporary.replace(place)
@@ -61,12 +65,28 @@ def check_writable(path: Path) -> None:
     """
     try:
         _check_writable(path)
-    except OSError as error:
-        raise InputError(f"{path}: cannot be written: {reason(error)}") from error
+    except (OSError, ValueError) as error:
+        raise InputError(f"{_shown(path)}: cannot be written: {reason(error)}") from error
+
+
+def resolved(path: Path) -> Path:
+    """Return where a path leads, through links.
+
+    Raises
+    ------
+    OSError
+        If it leads nowhere, in a circle.
+    """
+    try:
+        return path.resolve()
+    except RuntimeError:  # what Python before 3.13 raises
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP)) from None
 
 
 def _check_writable(path: Path) -> None:
-    folder = path.parent
+    folder = resolved(path).parent if path.is_symlink() else path.parent
+    if os.name == "nt" and is_windows_device(path.name):
+        raise InputError(f"{path}: cannot be written: Windows keeps that name for a device; choose another")
     if path.is_dir():
         raise InputError(f"{path}: cannot be written: it is a folder")
     # To replace a device or a pipe by a file would break it for every program of the computer.
@@ -78,14 +98,25 @@ def _check_writable(path: Path) -> None:
         raise InputError(f"{path}: cannot be written: permission denied")
 
 
-def reason(error: OSError) -> str:
-    """Return why a file operation failed, in words."""
-    return (error.strerror or str(error)).lower()
+def is_windows_device(name: str) -> bool:
+    """Return whether Windows takes a file's name for a device, whatever its ending."""
+    stem = name.split(".")[0].rstrip(" ").upper()
+    return stem in ("CON", "PRN", "AUX", "NUL") or bool(re.fullmatch(r"(COM|LPT)[1-9¹²³]", stem))
+
+
+def reason(error: OSError | ValueError) -> str:
+    """Return why a file operation failed, in words; a name with a zero byte in it is a ValueError."""
+    strerror = error.strerror if isinstance(error, OSError) else None
+    return (strerror or str(error)).lower()
+
+
+def _shown(path: Path) -> str:
+    return str(path).replace("\0", "\\0")
 
 
 def _staged(path: Path, content: bytes) -> Path:
     """Write the content beside its place, and return where."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=".bobdesk-", suffix=".part")
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=STAGED[0], suffix=STAGED[1])
     temporary = Path(name)
     try:
         with os.fdopen(handle, "wb") as stream:

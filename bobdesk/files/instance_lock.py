@@ -8,12 +8,14 @@ of other windows of this user, not of other computers.
 from __future__ import annotations
 
 import contextlib
+import errno
 import hashlib
 import os
 import sys
 from pathlib import Path
 from typing import IO
 
+_HELD = (errno.EACCES, errno.EAGAIN, errno.EWOULDBLOCK, errno.EDEADLK)  # other errors: locks do not work there
 _LOCKED_BYTE = 1 << 30  # past the text, so that Windows lets others read that
 
 
@@ -40,9 +42,11 @@ def take_lock(path: Path) -> FileLock | None:
     stream = path.open("a+b")
     try:
         _lock(stream)
-    except OSError:
+    except OSError as error:
         stream.close()
-        return None
+        if error.errno in _HELD:
+            return None
+        raise
     return FileLock(stream)
 
 

@@ -58,6 +58,8 @@ def read_archive(path: Path) -> Mapping[str, bytes]:
     InputError
         If it is missing, unreadable, no ZIP, damaged, or over a limit; the sentence does not name it.
     """
+    if "\0" in str(path):
+        raise InputError("there is no such file")
     try:
         if path.is_dir():
             raise InputError("this is a folder, not a file")

@@ -15,16 +15,17 @@ from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
 from bobdesk.files.migrations import migrated
 from bobdesk.files.npy import npy_table
-from bobdesk.files.project_encoding import PICTURE
+from bobdesk.files.project_encoding import PICTURE, Encoded
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline, polyline_from_points
-from bobdesk.plan.projection import LARGEST_LATITUDE
+from bobdesk.plan.projection import is_place
 from bobdesk.plan.trace_vertices import checked_vertices
 from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project.project import (
     ActualTrack,
     CalibrationChoice,
+    ExportChoice,
     Extent,
     Limits,
     Picture,
@@ -79,6 +80,21 @@ def decode_project(document: bytes, blobs: Blobs) -> Project:
         raise InputError(f"a part of the project is missing in it: {error.args[0]}") from error
     except (ValueError, IndexError, OverflowError) as error:
         raise InputError(f"the project in it is damaged: {_lower(str(error))}") from error
+
+
+def checked(encoded: Encoded) -> Encoded:
+    """Return an encoded project if it can be opened again; a millisecond, or half a second for a million points.
+
+    Raises
+    ------
+    InputError
+        If it cannot: a whole file must never be replaced by one that is lost.
+    """
+    try:
+        decode_project(encoded.document, lambda name: encoded.blobs[name])
+    except InputError as error:
+        raise InputError(f"cannot be written, for it could not be opened again: {error}") from error
+    return encoded
 
 
 def _document(document: bytes) -> schema.Document:
@@ -142,6 +158,7 @@ def _project(found: schema.Document, tables: _Tables) -> Project:
         runs=tuple(_run(run, tables) for run in found.runs),
         chosen_run=found.chosen_run,
         actual=None if actual is None else ActualTrack(actual.name, np.array(actual.points).reshape(-1, 3)),
+        export=ExportChoice() if found.export is None else _built(ExportChoice, found.export),
     )
 
 
@@ -170,8 +187,7 @@ def _source(found: schema.SourceEntry) -> SourceLine:
     if len(kept) < len(points):
         raise ValueError("the plan has points twice")
     place = (found.longitude, found.latitude)
-    known = [number for number in place if number is not None]
-    if len(known) == 1 or (known and not (abs(known[0]) <= 360 and abs(known[1]) <= LARGEST_LATITUDE)):
+    if place != (None, None) and not is_place(*place):
         raise ValueError("the place of the plan on the Earth makes no sense")
     return SourceLine(found.name, line, found.longitude, found.latitude)
 
@@ -182,7 +198,9 @@ def _segments(found: list[schema.SegmentEntry]) -> Segments:
 
 
 def _solver(found: schema.SolverEntry) -> SolverSettings:
-    return SolverSettings(found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate)
+    return SolverSettings(
+        found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate, found.threshold
+    )
 
 
 def _run(found: schema.RunEntry, tables: _Tables) -> Run:

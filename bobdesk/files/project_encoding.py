@@ -76,6 +76,7 @@ def _document(project: Project) -> schema.Document:
         solver=_solver(project.solver),
         runs=[_run(run) for run in project.runs],
         actual=None if actual is None else _actual(actual),
+        export=_entry(schema.ExportEntry, project.export),
     )
 
 
@@ -112,6 +113,7 @@ def _solver(settings: SolverSettings) -> schema.SolverEntry:
         pgd=_entry(schema.PgdEntry, settings.pgd),
         weights=_entry(schema.WeightsEntry, settings.weights),
         rate=settings.rate,
+        threshold=settings.threshold,
     )
 
 

@@ -7,9 +7,9 @@ import time
 from pathlib import Path
 
 from bobdesk.errors import InputError
-from bobdesk.files.atomic import write_atomic
+from bobdesk.files.atomic import STAGED, write_atomic
 from bobdesk.files.project_archive import DOCUMENT, archive_bytes, begins_like_a_project, entries_in, read_archive
-from bobdesk.files.project_decoding import decode_project
+from bobdesk.files.project_decoding import checked, decode_project
 from bobdesk.files.project_encoding import encode_project
 from bobdesk.project.project import Project
 
@@ -20,7 +20,7 @@ _LEFT_AFTER_S = 60.0  # no save takes as long, so that of another window is left
 def save_project(project: Project, path: Path) -> None:
     """Write a project; whatever fails leaves the file that was there before.
 
-    Saving the same project twice gives the same bytes.
+    What could not be opened again is not written. Saving the same project twice gives the same bytes.
 
     Raises
     ------
@@ -28,7 +28,7 @@ def save_project(project: Project, path: Path) -> None:
         If it cannot be written; the sentence says why.
     """
     try:
-        content = archive_bytes(encode_project(project))
+        content = archive_bytes(checked(encode_project(project)))
     except InputError as error:
         raise InputError(f"{path}: {error}") from error
     write_atomic(path, content)
@@ -39,7 +39,7 @@ def _sweep(path: Path) -> None:
     """Delete what a crash in the middle of an earlier save left beside the file."""
     with contextlib.suppress(OSError):
         for place in path.parent.iterdir():
-            left = place.name.startswith(f".{path.name}.") and place.name.endswith(".part")
+            left = place.name.startswith(STAGED[0]) and place.name.endswith(STAGED[1])
             if left and time.time() - place.stat().st_mtime > _LEFT_AFTER_S:
                 place.unlink(missing_ok=True)
 
@@ -87,5 +87,5 @@ def is_project(path: Path) -> bool:
             return False
         with path.open("rb") as stream:
             return begins_like_a_project(stream.read(64))
-    except OSError:
+    except (OSError, ValueError):
         return False

@@ -1,7 +1,8 @@
 """The shape of `project.json`, version 1, apart from the types of the program.
 
 A field that the program renames must not rename itself in the files that people keep: so each thing is
-spelled out here, every field is required, and unknown ones are refused. A new version of the format
+spelled out here, every field is required (a default stands only where the first files of this version had no
+such field yet), and unknown ones are refused. A new version of the format
 changes this file, adds a migration, and stores a file of its own in the tests.
 """
 
@@ -117,6 +118,7 @@ class SegmentEntry(_Strict):
     end: float
     locked: bool
     name: str
+    by_hand: bool = False
 
 
 MeanIs = Literal["drop-per-length", "drop-per-plan", "segments"]
@@ -178,6 +180,7 @@ class SolverEntry(_Strict):
     pgd: PgdEntry
     weights: WeightsEntry
     rate: float | None
+    threshold: float = 1e-3
 
 
 class DigestEntry(_Strict):
@@ -269,6 +272,14 @@ class ActualEntry(_Strict):
     points: list[tuple[float, float, float]]
 
 
+class ExportEntry(_Strict):
+    """An ExportChoice."""
+
+    format: str
+    flavour: str
+    spacing: float | None
+
+
 class Document(_Strict):
     """A Project."""
 
@@ -295,3 +306,4 @@ class Document(_Strict):
     runs: list[RunEntry]
     chosen_run: int | None
     actual: ActualEntry | None
+    export: ExportEntry | None = None

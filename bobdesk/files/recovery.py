@@ -16,6 +16,7 @@ import platformdirs
 
 from bobdesk.errors import InputError
 from bobdesk.files.instance_lock import FileLock, take_lock
+from bobdesk.files.project_decoding import checked
 from bobdesk.files.project_encoding import Encoded, encode_project
 from bobdesk.files.recovery_store import LOCK, STATE, forget_old, recovery_folder, write_state
 from bobdesk.project.project import Project
@@ -129,7 +130,9 @@ class Recovery:
                 said = False
             elif not said:
                 said = True
-                self._say(failure)
+                # Who listens may fail; the next copies are written all the same.
+                with contextlib.suppress(Exception):
+                    self._say(failure)
             if last:
                 return
             if failure is not None:
@@ -143,7 +146,7 @@ class Recovery:
                 (self.folder / STATE).unlink(missing_ok=True)
             return None
         try:
-            encoded = encode_project(wanted.project)
+            encoded = checked(encode_project(wanted.project))
             self._take_lock()
             write_state(
                 self.folder,
@@ -158,6 +161,9 @@ class Recovery:
             return f"No recovery copy could be written, and it is tried again: {error}"
         except (OSError, MemoryError) as error:
             return f"No recovery copy could be written, and it is tried again: {str(error).lower() or 'memory is full'}"
+        # Whatever is wrong with one state, the thread must live for the next one.
+        except Exception as error:  # noqa: BLE001
+            return f"No recovery copy could be written, and it is tried again: {type(error).__name__}: {error}"
         with contextlib.suppress(OSError):
             forget_old(self._data_folder)
         return None

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
+import os
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -40,6 +41,7 @@ class _State(msgspec.Struct, forbid_unknown_fields=True):
     last_edit: str
     document: str
     blobs: dict[str, str]
+    path_bytes: str | None = None  # of a path that is no text, in hexadecimal
 
 
 @dataclass(frozen=True)
@@ -80,8 +82,7 @@ def recoverable(data_folder: Path) -> tuple[Recoverable, ...]:
             continue
         with contextlib.suppress(InputError):
             state = _read(folder)
-            path = None if state.path is None else Path(state.path)
-            found.append(Recoverable(folder, state.name, path, state.time, state.last_edit))
+            found.append(Recoverable(folder, state.name, _path(state), state.time, state.last_edit))
     return tuple(sorted(found, key=lambda item: -item.time))
 
 
@@ -155,12 +156,13 @@ def write_state(
     state = _State(
         format="bobdesk-recovery",
         version=1,
-        name=name,
-        path=None if path is None else str(path),
+        name=_text(name),
+        path=None if path is None else _text(str(path)),
         time=time,
-        last_edit=last_edit,
+        last_edit=_text(last_edit),
         document=encoded.document.decode(),
         blobs=digests,
+        path_bytes=None if path is None or _text(str(path)) == str(path) else os.fsencode(path).hex(),
     )
     write_atomic(folder / STATE, msgspec.json.encode(state))
     _delete_unused(folder, set(digests.values()))
@@ -193,6 +195,20 @@ def _read(folder: Path) -> _State:
     if state.format != "bobdesk-recovery" or state.version != 1:
         raise InputError("it was made by another version of BobDesk")
     return state
+
+
+def _path(state: _State) -> Path | None:
+    if state.path_bytes is None:
+        return None if state.path is None else Path(state.path)
+    try:
+        return Path(os.fsdecode(bytes.fromhex(state.path_bytes)))
+    except ValueError:
+        raise InputError("it is damaged") from None
+
+
+def _text(text: str) -> str:
+    """Return text as it is; what a file's name holds that is none becomes question marks."""
+    return text.encode("utf-8", "replace").decode()
 
 
 def _checked(digest: str) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from scipy import ndimage
 
 from bobdesk.arrays import FloatArray, IntArray
-from bobdesk.plan.polyline_geometry import arc_lengths, resampled
+from bobdesk.plan.polyline_geometry import arc_lengths, resampled, turns
 from bobdesk.plan.raster import Float32Array
 
 _WEAK = 0.5
@@ -65,16 +65,6 @@ def _goes_on(score: Float32Array, starts: FloatArray, ways: FloatArray, *, near:
     return best
 
 
-def _turns(points: FloatArray, middle: IntArray, *, gap: int, arm: int) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the ways (n, 2) into and out of `middle` and the angle between them (n,), degrees."""
-    incoming = points[middle - gap] - points[middle - gap - arm]
-    outgoing = points[middle + gap + arm] - points[middle + gap]
-    incoming /= np.maximum(np.hypot(incoming[:, 0], incoming[:, 1]), 1e-9)[:, None]
-    outgoing /= np.maximum(np.hypot(outgoing[:, 0], outgoing[:, 1]), 1e-9)[:, None]
-    cosine = np.clip((incoming * outgoing).sum(axis=1), -1.0, 1.0)
-    return incoming, outgoing, np.degrees(np.arccos(cosine))
-
-
 def _beside(score: Float32Array, points: FloatArray, *, width: float) -> Float32Array:
     """The ridge score without that of the path itself."""
     own = np.zeros(score.shape, dtype=bool)
@@ -97,8 +87,8 @@ def doubtful_turns(score: Float32Array, trace: FloatArray, *, width: float) -> t
     if len(points) < 2 * reach + 3:
         return ()
     middle = np.arange(reach, len(points) - reach)
-    incoming, outgoing, turn = _turns(points, middle, gap=gap, arm=arm)
-    kink = _turns(points, middle, gap=_KINK_GAP, arm=_KINK_ARM)[2]
+    incoming, outgoing, turn = turns(points, middle, gap=gap, arm=arm)
+    kink = turns(points, middle, gap=_KINK_GAP, arm=_KINK_ARM)[2]
     candidates = np.flatnonzero(turn > 28.0)
     others = _beside(score, points, width=width)
     near = 2.0 * gap + 4.0

@@ -1,160 +1,156 @@
-"""A way that may not turn sharply: it goes around a Kreisel where the cheapest path cuts it.
+"""Around a Kreisel: where the cheapest way was cut at a crossing, the way that goes straight on and comes back.
 
-A state is a pixel with one of 24 directions of travel.  A step turns by one direction at most, so that a
-short cut at a crossing is not open to it.  What is found is a proposal: at a crossing with another line it
-may also go wrong, and the user looks at it.
+What is found is a proposal: the user looks at it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Generator
+from dataclasses import dataclass, replace
 
 import numpy as np
-import numpy.typing as npt
 from scipy import ndimage
-from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
 
-from bobdesk.arrays import FloatArray, IntArray
-from bobdesk.plan.cheapest_path import Pixel
+from bobdesk.arrays import BoolArray, FloatArray
+from bobdesk.plan.cheapest_path import cheapest_path, path_points
+from bobdesk.plan.cut_crossings import CutCrossing, cut_crossings, same_place, turns_along
+from bobdesk.plan.double_edge import centred
+from bobdesk.plan.polyline_geometry import resampled
 from bobdesk.plan.raster import Float32Array
+from bobdesk.plan.ridge import ridge_along, step_cost
+from bobdesk.plan.rough_way import RoughWay
 from bobdesk.plan.stages import at_fraction
 
-_DIRECTIONS = 24
-# Lengths of a step, pixels, the stiffest first: curves down to 19, then 15 pixels of radius.
-_STEPS = (5.0, 4.0)
-# A turn by one direction costs this many pixels of way.
-_TURN = 2.0
+# A picture with more is too full for a proposal.
+_MOST_LOOPS = 8
+_MOST_TRIES = 12
 _INK = 0.3
-# The mean ridge along a straight piece of a line.
-_STRAIGHT = 0.55
-# About 0.3 s of Dijkstra in one piece; beyond it the picture is too full for a proposal.
-_MOST_STATES = 1_500_000
+# The share of a loop that shows ink, and that is not the way that was found before; its length, in widths
+# and pixels.
+_INKED, _FRESH = 0.85, 0.7
+_SHORTEST_WIDTHS, _SHORTEST = 4.0, 40.0
+# What keeps a loop from being cut again: the cost of a pixel beside the ink next to the crossing, the ridge
+# between two arms there, and the factor on the cost along the way that was found before.
+_OFF, _PARTED, _TAKEN = 5_000.0, 0.45, 4.0
+# A loop turns by no more than this over some 14 pixels, and where it goes straight through the crossing by
+# so much less than the way that was cut; degrees.
+_KINK, _SMOOTHER = 60.0, 2.0
 
 
-def _thin(score: Float32Array) -> npt.NDArray[np.bool_]:
-    """Pixels on or beside a ridge's crest."""
-    crest = score >= 0.8 * ndimage.maximum_filter(score, size=5)
-    return np.asarray(crest & (score > _INK))
+@dataclass(frozen=True, eq=False)
+class _Loop:
+    """A way (n, 2) and the points between which it has a new loop; the loop may be cut itself."""
+
+    way: FloatArray
+    cut: CutCrossing
+    first: int
+    last: int
+
+    @property
+    def whole(self) -> bool:
+        return _sharpest(self.way, self.first, self.last) <= _KINK
 
 
-def _oriented(score: Float32Array, direction: int, *, half: int) -> Float32Array:
-    """The mean ridge along a straight piece of `half` pixels to both sides of each pixel."""
-    angle = 2 * np.pi * direction / _DIRECTIONS
-    height, width = score.shape
-    padded = np.pad(score, half)
-    total = np.zeros_like(score)
-    for offset in range(-half, half + 1):
-        down = half + round(offset * float(np.sin(angle)))
-        right = half + round(offset * float(np.cos(angle)))
-        total += padded[down : down + height, right : right + width]
-    return np.asarray(total / (2 * half + 1), dtype=np.float32)
+def around_loops(rough: RoughWay) -> Generator[float, None, RoughWay | None]:
+    """Return the way that goes around the loops that `rough` cuts, or None where it cuts none."""
+    plain = found = way = resampled(rough.middle, step=1.0)
+    wrong: list[CutCrossing] = []
+    tried: list[CutCrossing] = []
+    cut_loop: _Loop | None = None
+    for number in range(_MOST_LOOPS):
+        loop = yield from at_fraction(_next_loop(rough, way, wrong, tried), number / _MOST_LOOPS)
+        if loop is None:
+            if cut_loop is None:
+                break
+            wrong.append(cut_loop.cut)
+            way, cut_loop = found, None
+            continue
+        if cut_loop is not None:
+            more = len(loop.way) - len(way)
+            loop = replace(
+                loop,
+                cut=cut_loop.cut,
+                first=min(loop.first, cut_loop.first),
+                last=max(loop.last, cut_loop.last + more),
+            )
+        way = loop.way
+        cut_loop = None if loop.whole else loop
+        if cut_loop is None:
+            found = way
+    return None if found is plain else replace(rough, middle=found)
 
 
-def smooth_way(score: Float32Array, stops: list[Pixel], *, width: float) -> Generator[float, None, FloatArray | None]:
-    """Return the best way (n, 2) x, y through `stops` (row, column) without sharp turns, or None.
+def _next_loop(
+    rough: RoughWay, way: FloatArray, wrong: list[CutCrossing], tried: list[CutCrossing]
+) -> Generator[float, None, _Loop | None]:
+    """Return `way` with the surest of the loops that it cuts.
 
-    Parameters
-    ----------
-    score
-        (h, w) ridge, 0 to 1.
-    width
-        Width of the line: a piece must be straight over more than a crossing is wide, pixels.
+    At the places in `wrong` nothing is found; what is looked at in vain goes to `tried`.
     """
-    rows, columns = np.ogrid[: score.shape[0], : score.shape[1]]
-    half = max(7, round(1.2 * width))
-    wide = ndimage.maximum_filter(score, size=3) if width < 5.0 else score
-    allowed = _thin(wide)
-    for stop in stops:
-        allowed |= (rows - stop[0]) ** 2 + (columns - stop[1]) ** 2 <= 9
-    yield 0.1
-    places = np.argwhere(allowed).astype(np.int32)
-    pixels = np.full(score.shape, -1, dtype=np.int32)
-    pixels[places[:, 0], places[:, 1]] = np.arange(len(places), dtype=np.int32)
-    numbers = np.full((_DIRECTIONS, len(places)), -1, dtype=np.int32)
-    along = np.empty((_DIRECTIONS // 2, len(places)), dtype=np.float32)
-    count = 0
-    for direction in range(_DIRECTIONS // 2):
-        along[direction] = _oriented(wide, direction, half=half)[places[:, 0], places[:, 1]]
-        usable = along[direction] > _STRAIGHT
-        size = int(np.count_nonzero(usable))
-        for one in (direction, direction + _DIRECTIONS // 2):
-            numbers[one][usable] = np.arange(count, count + size, dtype=np.int32)
-            count += size
-        yield 0.1 + 0.6 * direction / _DIRECTIONS
-    if count == 0 or count > _MOST_STATES:
-        return None
-    ends = [_states_near(places, numbers, stop) for stop in stops]
-    if any(len(states) == 0 for states in ends):
-        return None
-    for step in _STEPS:
-        graph = yield from at_fraction(_turning_graph(pixels, places, numbers, along, count=count, step=step), 0.6)
-        way = yield from at_fraction(_cheapest(graph, ends), 0.8)
-        if way is not None:
-            pixel_of = np.empty(count, dtype=np.int64)
-            for states in numbers:
-                there = np.flatnonzero(states >= 0)
-                pixel_of[states[there]] = there
-            return places[pixel_of[way]][:, ::-1].astype(np.float64)
+    cuts = yield from at_fraction(cut_crossings(rough.score, way, width=rough.section.width), 0.2)
+    for cut in cuts:
+        known = any(same_place(cut, other) and cut.radius == other.radius for other in tried)
+        if known or any(same_place(cut, other) for other in wrong):
+            continue
+        if len(tried) == _MOST_TRIES:
+            break
+        joined = yield from at_fraction(_joined(rough, way, cut), 0.5)
+        if joined is not None:
+            through = round(2 * cut.radius)
+            last = cut.last + len(joined) - len(way)
+            left = max(_sharpest(joined, cut.first, cut.first + through), _sharpest(joined, last - through, last))
+            if left <= _sharpest(way, cut.first, cut.last) - _SMOOTHER:
+                return _Loop(joined, cut, cut.first, last)
+        tried.append(cut)
     return None
 
 
-def _cheapest(graph: csr_array, ends: list[IntArray]) -> Generator[float, None, IntArray | None]:
-    """Return the states (n,) of the cheapest way through the stops, or None where there is none."""
-    sources = ends[0]
-    ways: list[IntArray] = []
-    for goals in ends[1:]:
-        distances, predecessors, _ = dijkstra(graph, indices=sources, return_predecessors=True, min_only=True)
-        goal = int(goals[np.argmin(distances[goals])])
-        if not np.isfinite(distances[goal]):
-            return None
-        way = [goal]
-        while predecessors[way[-1]] >= 0:
-            way.append(int(predecessors[way[-1]]))
-        ways.append(np.array(way[::-1], dtype=np.int64))
-        sources = np.array([goal], dtype=np.int64)
-        yield 0.9
-    return np.concatenate(ways)
+def _sharpest(way: FloatArray, first: int, last: int) -> float:
+    """Return by how much `way` turns at most from the point `first` to `last`, degrees."""
+    return float(turns_along(way[max(0, first - 17) : last + 18]).max(initial=0.0))
 
 
-def _states_near(places: npt.NDArray[np.int32], numbers: npt.NDArray[np.int32], pixel: Pixel) -> IntArray:
-    """Return the states (k,) within three pixels of a pixel."""
-    near = np.abs(places - np.array(pixel)).max(axis=1) <= 3
-    found = numbers[:, near].ravel()
-    return found[found >= 0].astype(np.int64)
+def _joined(rough: RoughWay, way: FloatArray, cut: CutCrossing) -> Generator[float, None, FloatArray | None]:
+    """Return `way` with the loop at a crossing, or None if the ink makes none."""
+    height, width = rough.score.shape
+    ends = [(round(y), round(x)) for x, y in (cut.ahead, cut.behind)]
+    if any(not (0 <= row < height and 0 <= column < width) for row, column in ends):
+        return None
+    taken = _covered(way, shape=rough.score.shape, width=rough.section.width)
+    cost, ridge = _blocked(rough.score, taken, cut)
+    yield 0.2
+    points = path_points((yield from at_fraction(cheapest_path(cost, ridge, ends), 0.4)))
+    if len(points) < _SHORTEST_WIDTHS * rough.section.width + _SHORTEST:
+        return None
+    fresh = ~taken[points[:, 1].astype(np.intp), points[:, 0].astype(np.intp)]
+    if np.mean(fresh) < _FRESH or np.mean(ridge_along(rough.score, points) > _INK) < _INKED:
+        return None
+    joined = np.concatenate([way[: cut.first + 1], points, way[cut.last :]])
+    middle = yield from at_fraction(centred(rough.share, joined, section=rough.section), 0.8)
+    return resampled(middle, step=1.0)
 
 
-def _turning_graph(
-    pixels: npt.NDArray[np.int32],
-    places: npt.NDArray[np.int32],
-    numbers: npt.NDArray[np.int32],
-    along: Float32Array,
-    *,
-    count: int,
-    step: float,
-) -> Generator[float, None, csr_array]:
-    """Return the graph of the `count` states.
+def _covered(way: FloatArray, *, shape: tuple[int, ...], width: float) -> BoolArray:
+    """Return the pixels (h, w) that the line along `way` covers."""
+    covered = np.zeros(shape, dtype=bool)
+    columns = np.clip(np.round(way[:, 0]).astype(np.intp), 0, shape[1] - 1)
+    rows = np.clip(np.round(way[:, 1]).astype(np.intp), 0, shape[0] - 1)
+    covered[rows, columns] = True
+    return np.asarray(ndimage.binary_dilation(covered, iterations=max(2, round(0.5 * width))))
 
-    `pixels` (h, w) counts the usable pixels, at `places` (n, 2) row, column; `numbers` (24, n) are their
-    states or -1; `along` (12, n) is the ridge along each direction.
-    """
-    height, width = pixels.shape
-    heads, tails, weights = [], [], []
-    for direction in range(_DIRECTIONS):
-        here = np.flatnonzero(numbers[direction] >= 0)
-        for turn in (-1, 0, 1):
-            towards = (direction + turn) % _DIRECTIONS
-            angle = 2 * np.pi * (direction + 0.5 * turn) / _DIRECTIONS
-            move = np.array([round(step * float(np.sin(angle))), round(step * float(np.cos(angle)))])
-            there = places[here] + move
-            inside = np.all((there >= 0) & (there < [height, width]), axis=1)
-            goals = np.full(len(here), -1, dtype=np.int64)
-            goals[inside] = pixels[there[inside, 0], there[inside, 1]]
-            reached = goals >= 0
-            reached[reached] = numbers[towards, goals[reached]] >= 0
-            line = along[towards % (_DIRECTIONS // 2), goals[reached]].astype(np.float64)
-            heads.append(numbers[direction, here[reached]])
-            tails.append(numbers[towards, goals[reached]])
-            weights.append(float(np.hypot(*move)) / (0.02 + line**2) + _TURN * abs(turn))
-        yield direction / _DIRECTIONS
-    return csr_array((np.concatenate(weights), (np.concatenate(heads), np.concatenate(tails))), shape=(count, count))
+
+def _blocked(score: Float32Array, taken: BoolArray, cut: CutCrossing) -> tuple[Float32Array, Float32Array]:
+    """Return cost and ridge (h, w) that leave no way through the crossing, and rather none where `taken`."""
+    cost, ridge = step_cost(score), score.copy()
+    cost[taken] *= np.float32(_TAKEN)
+    x, y = cut.centre
+    reach = round(3 * cut.radius)
+    top, left = max(0, round(y) - reach), max(0, round(x) - reach)
+    window = (slice(top, round(y) + reach + 1), slice(left, round(x) + reach + 1))
+    down, right = np.ogrid[: ridge[window].shape[0], : ridge[window].shape[1]]
+    away = np.hypot(down + top - y, right + left - x)
+    blank = score[window] < np.where(away < 0.6 * reach, _PARTED, _INK)
+    crossing = away < cut.radius - 2.0
+    cost[window][crossing | (blank & (away < reach))] = _OFF
+    ridge[window][crossing] = 0.0
+    return cost, ridge

@@ -86,6 +86,19 @@ def whittaker_smoothed(values: FloatArray, *, weights: FloatArray, wavelength: f
     return np.asarray(solveh_banded(bands, values * weights[:, None]), dtype=np.float64)
 
 
+def turns(points: FloatArray, middle: IntArray, *, gap: int, arm: int) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return the ways (n, 2) into and out of the points with indices `middle`, and the angles between them, degrees.
+
+    A way is the direction over `arm` points; the nearest `gap` points to the middle are left out.
+    """
+    incoming = points[middle - gap] - points[middle - gap - arm]
+    outgoing = points[middle + gap + arm] - points[middle + gap]
+    incoming /= np.maximum(np.hypot(incoming[:, 0], incoming[:, 1]), 1e-9)[:, None]
+    outgoing /= np.maximum(np.hypot(outgoing[:, 0], outgoing[:, 1]), 1e-9)[:, None]
+    cosine = np.clip((incoming * outgoing).sum(axis=1), -1.0, 1.0)
+    return incoming, outgoing, np.degrees(np.arccos(cosine))
+
+
 def extended(points: FloatArray, *, length: float, step: float) -> FloatArray:
     """Return the polyline prolonged straight by `length` at both ends, in steps of about `step`."""
     reach = min(len(points) - 1, 5)

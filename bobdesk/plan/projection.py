@@ -34,6 +34,7 @@ _BACK = np.array(
 )
 _LATITUDE_ROUNDS = 8  # each gains a factor of 150
 LARGEST_LATITUDE = 89.9
+LARGEST_LONGITUDE = 360.0
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,13 @@ class Georeference:
 
     longitude: float
     latitude: float
+
+
+def is_place(longitude: float | None, latitude: float | None) -> bool:
+    """Return whether a longitude and a latitude can be the origin of a plan."""
+    if longitude is None or latitude is None:
+        return False
+    return abs(longitude) <= LARGEST_LONGITUDE and abs(latitude) <= LARGEST_LATITUDE
 
 
 def to_metres(degrees: FloatArray, georeference: Georeference) -> FloatArray:

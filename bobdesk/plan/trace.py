@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 
 from bobdesk.arrays import FloatArray, frozen
-from bobdesk.plan.clicks import checked_clicks, ends_at_clicks, snapped
-from bobdesk.plan.double_edge import centred
+from bobdesk.plan.clicks import checked_clicks, ends_at_clicks
 from bobdesk.plan.doubts import (
     confidence,
     doubtful_turns,
@@ -19,7 +18,7 @@ from bobdesk.plan.doubts import (
     weak_sentences,
     weak_stretches,
 )
-from bobdesk.plan.loops import smooth_way
+from bobdesk.plan.loops import around_loops
 from bobdesk.plan.polyline_geometry import arc_lengths, extended, nearest_vertex, part_between, resampled
 from bobdesk.plan.raster import Pixels, check_pixels
 from bobdesk.plan.refine import Refined, refined
@@ -37,8 +36,6 @@ _SHORTEST_DOUBT = 10.0
 _WIDEST, _WANTED = 18.0, 10.0
 # A line with this share of plain background along it is dashed.
 _BLANK_SHARE = 0.05
-# A way around a loop is at least this much longer than the plain one, pixels of the copy.
-_A_LOOP = 30.0
 
 
 @dataclass(frozen=True)
@@ -101,19 +98,9 @@ def propose_loops(
     check_pixels(pixels)
     places = checked_clicks(pixels, clicks)
     copy, rough = yield from _found(pixels, places, settings=settings)
-    stops = [snapped(rough.score, click, reach=settings.snap_px) for click in copy.to_copy(places)]
-    way = yield from stage(
-        smooth_way(rough.score, stops, width=rough.section.width), "Going around loops", start=0.7, end=0.75
-    )
-    if way is None:
+    around = yield from stage(around_loops(rough), "Going around loops", start=0.7, end=0.8)
+    if around is None:
         return None
-    middle = yield from stage(
-        centred(rough.share, way, section=rough.section), "Finding the middle", start=0.75, end=0.8
-    )
-    plain = float(arc_lengths(rough.middle)[-1])
-    if float(arc_lengths(middle)[-1]) < plain + _A_LOOP:
-        return None
-    around = replace(rough, middle=middle)
     return (yield from _measured(pixels, places, copy, around, settings=settings))
 
 

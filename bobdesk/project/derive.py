@@ -16,7 +16,7 @@ import numpy as np
 
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segments, stretched
+from bobdesk.alignment.segments import Segment, Segments, stretched
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError, TargetError
 from bobdesk.plan.calibration import (
@@ -339,6 +339,12 @@ def _stretched(stored: Segments, length: float) -> Derived[Segments]:
 
 @lru_cache(maxsize=8)
 def _segment_figures(line: Centreline, found: Segments) -> tuple[SegmentFigures, ...]:
+    return tuple(figures_of_one(line, segment) for segment in found)
+
+
+@lru_cache(maxsize=4096)
+def figures_of_one(line: Centreline, segment: Segment) -> SegmentFigures:
+    """Return radius, turn and fit of one segment; of hundreds, a drag changes two."""
     from bobdesk.alignment.segment_figures import segment_figures as figures_of_segment
 
-    return tuple(figures_of_segment(line, segment) for segment in found)
+    return figures_of_segment(line, segment)

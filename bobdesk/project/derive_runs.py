@@ -10,12 +10,13 @@ from typing import TYPE_CHECKING
 
 from bobdesk.plan.projection import Georeference
 from bobdesk.project import derive
-from bobdesk.project.digest import inputs_digest
+from bobdesk.project.digest import inputs_digest, of_segments
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
 from bobdesk.solve.iterates import Solution
+from bobdesk.solve.warm_start import WarmStart
 from bobdesk.track.comparison import Comparison, compare
 from bobdesk.track.figures import Deviations, deviations
 
@@ -38,12 +39,28 @@ def why_out_of_date(project: Project, run: Run) -> str | None:
             ("targets", "targets, limits or known elevations"),
             ("solver", "the solver's settings"),
         )
-        if getattr(now, name) != getattr(run.digest, name)
+        if getattr(now, name) != getattr(run.digest, name) and not (name == "segments" and _same_segments(project, run))
     ]
     if not changed:
         return None
     listed = changed[0] if len(changed) == 1 else f"{', '.join(changed[:-1])} and {changed[-1]}"
     return f"{listed} changed since this run"
+
+
+def _same_segments(project: Project, run: Run) -> bool:
+    """Return whether segments that are kept by hand are still those that the run found automatically."""
+    return project.segments is not None and of_segments(project.segments) == of_segments(run.inputs.segments)
+
+
+def warm_start(project: Project) -> WarmStart | None:
+    """Return where a run begins: at the gradients of the run that is shown, once that is out of date.
+
+    A run whose inputs have not changed is made again from the beginning, to the same numbers.
+    """
+    run = project.run
+    if run is None or why_out_of_date(project, run) is None:
+        return None
+    return WarmStart(run.layout.edges / run.layout.edges[-1], run.gradients)
 
 
 def run_centreline(run: Run) -> Centreline:

@@ -18,6 +18,7 @@ from bobdesk.arrays import FloatArray
 from bobdesk.plan.traced_line import Trace
 from bobdesk.project.project import Project, SourceLine
 from bobdesk.project.runs import InputsDigest
+from bobdesk.solve.settings import PUBLISHED_THRESHOLD
 
 _LENGTH = 16
 _ON_THE_PUBLISHED_OBJECTIVE = ("published", "lbfgsb", "slsqp", "de")
@@ -120,8 +121,11 @@ def _solver(project: Project) -> str:
     if settings.method == "pgd":
         return _digest(settings.method, _numbers(asdict(settings.pgd)))
     weights = _numbers(asdict(settings.weights))
-    if settings.method == "published" and settings.rate is not None:
-        return _digest(settings.method, weights, _number(settings.rate))
+    if settings.method == "published":
+        # Usual values are left out, so that files from before there were other ones stay up to date.
+        others = [_number(settings.rate)] if settings.rate is not None else []
+        others += [_number(settings.threshold)] if settings.threshold != PUBLISHED_THRESHOLD else []
+        return _digest(settings.method, weights, *others)
     if settings.method in _ON_THE_PUBLISHED_OBJECTIVE:
         return _digest(settings.method, weights)
     # What a plug-in looks at is its own affair.

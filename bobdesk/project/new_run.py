@@ -1,21 +1,41 @@
-"""A run of a project, from what it says now to the `Run` that is kept: a generator of iterates."""
+"""A run of a project, from what the user decided to the finished run, as a generator of iterates."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING
 
+from bobdesk.errors import InputError, TargetError
 from bobdesk.project import derive
+from bobdesk.project.derive_runs import warm_start
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Project
-from bobdesk.project.runs import Run, finished_run
+from bobdesk.project.record import IterateRecord
+from bobdesk.project.runs import Run, RunInputs, finished_run
+from bobdesk.solve.run import METHODS, SolverMethod, solve
 
 if TYPE_CHECKING:
-    from bobdesk.solve.iterates import Iterate
+    from bobdesk.solve.iterates import Iterate, Solution
+
+_STOPPED = 1
 
 
-def new_run(project: Project, *, name: str, clock: Callable[[], float]) -> Generator[Iterate, None, Run]:
+def _never() -> bool:
+    return False
+
+
+def new_run(
+    project: Project,
+    *,
+    name: str,
+    clock: Callable[[], float],
+    record: IterateRecord | None = None,
+    enough: Callable[[], bool] = _never,
+    methods: tuple[SolverMethod, ...] = METHODS,
+) -> Generator[Iterate, None, Run]:
     """Solve a project with its own settings.
+
+    A solver that fails after its first iterate ends the run with its best iterate, and the run says why.
 
     Parameters
     ----------
@@ -23,6 +43,12 @@ def new_run(project: Project, *, name: str, clock: Callable[[], float]) -> Gener
         What the run is called.
     clock
         Returns seconds; the time that the solver itself took is kept with the run.
+    record
+        Is given every iterate as it comes.
+    enough
+        Asked after every iterate: whether to end with the best one so far.
+    methods
+        Those that there are.
 
     Raises
     ------
@@ -31,15 +57,14 @@ def new_run(project: Project, *, name: str, clock: Callable[[], float]) -> Gener
     TargetError
         If limits, drop and known elevations contradict each other.
     """
-    from bobdesk.solve.run import solve
     from bobdesk.track.centreline3d import make_centreline3d
     from bobdesk.track.figures import figures
 
     inputs = derive.run_inputs(project).needed()
     line = derive.centreline(project).needed()
-    iterates: list[Iterate] = []
+    record = IterateRecord(inputs.targets.length) if record is None else record
     seconds = 0.0
-    job = solve(line, inputs.segments, inputs.targets, inputs.settings)
+    job = solve(line, inputs.segments, inputs.targets, inputs.settings, methods=methods, warm=warm_start(project))
     while True:
         began = clock()
         try:
@@ -48,16 +73,59 @@ def new_run(project: Project, *, name: str, clock: Callable[[], float]) -> Gener
             solution = end.value
             seconds += clock() - began
             break
+        except (InputError, TargetError):
+            raise
+        except Exception as error:  # noqa: BLE001 - what was found until then is worth more than the fault
+            seconds += clock() - began
+            why = f"{type(error).__name__}: {' '.join(str(error).split())[:200]}".removesuffix(": ")
+            solution = _ended_early(inputs, record, f"The solver failed ({why})")
+            break
+        record.append(iterate)
         seconds += clock() - began
-        iterates.append(iterate)
         yield iterate
+        if enough():
+            job.close()
+            solution = _ended_early(inputs, record, "Stopped by hand")
+            break
     return finished_run(
         inputs,
         solution,
         figures(make_centreline3d(line, inputs.segments, solution)),
-        iterates,
+        record,
         digest=inputs_digest(project),
         name=name,
         target_set=project.targets.name,
         seconds=seconds,
+    )
+
+
+def _ended_early(inputs: RunInputs, record: IterateRecord, why: str) -> Solution:
+    """Return the end of a run that has come no further than its best iterate."""
+    best = record.best
+    if best is None:
+        raise InputError(f"{why[0].lower()}{why[1:]} before its first iterate")
+    count = f"{record.count:,} iteration" + ("s" if record.count > 1 else "")
+    return solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
+
+
+def solution_at(inputs: RunInputs, iterate: Iterate, *, status: int = _STOPPED, message: str = "") -> Solution:
+    """Return an iterate as if the run had ended there."""
+    from bobdesk.solve.iterates import Solution
+
+    if iterate.profile is None or iterate.edge_gradients is None:
+        raise InputError("an iterate of this method has no line")
+    return Solution(
+        method=inputs.settings.method,
+        profile=iterate.profile,
+        gradients=iterate.gradients,
+        edge_gradients=iterate.edge_gradients,
+        scale=iterate.scale,
+        start_elevation=inputs.targets.drop,
+        status=status,
+        message=message,
+        nit=iterate.number,
+        nfev=iterate.number,
+        njev=iterate.number,
+        objective=iterate.objective,
+        optimality=iterate.optimality,
     )

@@ -165,6 +165,23 @@ class ActualTrack:
         object.__setattr__(self, "points", frozen(self.points, columns=3))
 
 
+@dataclass(frozen=True)
+class ExportChoice:
+    """How the result was exported last.
+
+    Attributes
+    ----------
+    format, flavour
+        Keys of a format, and of a flavour of tables.
+    spacing
+        Of the rows, m; None for the rows that were solved for.
+    """
+
+    format: str = "csv"
+    flavour: str = "default"
+    spacing: float | None = None
+
+
 @dataclass(frozen=True, eq=False)
 class Project:
     """All that the user decided; `bobdesk.project.derive` says what follows.
@@ -200,6 +217,8 @@ class Project:
         Finished runs, oldest first, and the index of the one that is shown, if any.
     actual
         The actual track for comparison.
+    export
+        How the result was exported last.
     """
 
     name: str = ""
@@ -223,6 +242,7 @@ class Project:
     runs: tuple[Run, ...] = ()
     chosen_run: int | None = None
     actual: ActualTrack | None = None
+    export: ExportChoice = ExportChoice()
 
     @property
     def targets(self) -> TargetSet:

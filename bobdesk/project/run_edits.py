@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from bobdesk.errors import InputError
-from bobdesk.project.project import Project
+from bobdesk.project.project import ExportChoice, Project
 from bobdesk.project.runs import Run
 
 
@@ -36,6 +37,13 @@ def remove_run(project: Project, index: int) -> Project:
     if chosen is not None and chosen >= index:
         chosen = max(chosen - 1, 0) if left else None
     return replace(project, runs=left, chosen_run=chosen)
+
+
+def choose_export(project: Project, choice: ExportChoice) -> Project:
+    """Remember how the result is exported."""
+    if choice.spacing is not None and not (math.isfinite(choice.spacing) and 0.01 <= choice.spacing <= 1000):
+        raise InputError(f"the rows must lie between 0.01 m and 1,000 m apart, not {choice.spacing:g} m")
+    return project if choice == project.export else replace(project, export=choice)
 
 
 def _check(project: Project, index: int) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
@@ -12,13 +11,14 @@ from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import BoolArray, FloatArray, IntArray, frozen
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
-from bobdesk.solve.iterates import Iterate, Solution
+from bobdesk.project.record import COLUMNS, IterateRecord
+from bobdesk.solve.iterates import Solution
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import Targets
 from bobdesk.track.figures import Figures
 
 MOST_HISTORY_ROWS = 2000
-HISTORY_COLUMNS = ("number", "stage", "objective", "length", "drop", "optimality", "step", "scale")
+HISTORY_COLUMNS = COLUMNS
 
 
 @dataclass(frozen=True)
@@ -130,14 +130,14 @@ def finished_run(
     inputs: RunInputs,
     solution: Solution,
     figures: Figures,
-    iterates: Sequence[Iterate],
+    record: IterateRecord,
     *,
     digest: InputsDigest,
     name: str,
     target_set: str,
     seconds: float,
 ) -> Run:
-    """Return the run that a solver's end and its iterates make.
+    """Return the run that a solver's end and the record of its iterates make.
 
     Raises
     ------
@@ -149,7 +149,6 @@ def finished_run(
         np.isfinite(part).all() for part in (solution.gradients, solution.scale, list(asdict(figures).values()))
     ):
         raise InputError("the run ended in figures that are no numbers; it cannot be kept")
-    stages = tuple(dict.fromkeys(iterate.stage for iterate in iterates))
     return Run(
         name=name,
         digest=digest,
@@ -169,8 +168,8 @@ def finished_run(
         optimality=_number(solution.optimality),
         figures=figures,
         seconds=seconds,
-        stages=stages,
-        history=history_of(iterates, stages),
+        stages=record.stages,
+        history=thinned_history(record.rows()),
     )
 
 
@@ -178,14 +177,8 @@ def _number(value: float) -> float | None:
     return float(value) if np.isfinite(value) else None
 
 
-def history_of(iterates: Sequence[Iterate], stages: tuple[str, ...]) -> FloatArray:
-    """Return the iterates' figures, (k, 8); of more than 2,000 iterates an even choice with both ends."""
-    chosen: Sequence[Iterate] = iterates
-    if len(iterates) > MOST_HISTORY_ROWS:
-        places = np.linspace(0, len(iterates) - 1, MOST_HISTORY_ROWS).round().astype(int)
-        chosen = [iterates[place] for place in places.tolist()]
-    rows = [
-        (at.number, stages.index(at.stage), at.objective, at.length, at.drop, at.optimality, at.step, at.scale)
-        for at in chosen
-    ]
-    return np.array(rows, dtype=np.float64).reshape(-1, len(HISTORY_COLUMNS))
+def thinned_history(rows: FloatArray) -> FloatArray:
+    """Return the iterates' figures (n, 8) as they are kept: of more than 2,000, an even choice with both ends."""
+    if len(rows) <= MOST_HISTORY_ROWS:
+        return rows
+    return rows[np.linspace(0, len(rows) - 1, MOST_HISTORY_ROWS).round().astype(int)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 
 from bobdesk.alignment import segments as alignment
@@ -12,10 +13,18 @@ from bobdesk.errors import InputError
 from bobdesk.project import derive
 from bobdesk.project.project import Project
 
+SHORTEST_BY_HAND = 1.0
+
+
+def shortest_by_hand(project: Project) -> float:
+    """Return how short a segment may be made by hand, m: the shortest of the settings, and 1 m at least."""
+    return max(SHORTEST_BY_HAND, project.segmentation.shortest)
+
 
 def split_segment(project: Project, station: float) -> Project:
     """Cut the segment at a station in two."""
-    return replace(project, segments=alignment.split(_segments(project), float(station)))
+    shortest = shortest_by_hand(project)
+    return replace(project, segments=alignment.split(_segments(project), float(station), shortest=shortest))
 
 
 def merge_segments(project: Project, first: int, last: int) -> Project:
@@ -23,9 +32,19 @@ def merge_segments(project: Project, first: int, last: int) -> Project:
     return replace(project, segments=alignment.merge(_segments(project), first, last))
 
 
+def delete_boundary(project: Project, boundary: int) -> Project:
+    """Make one segment of the two at the boundary behind the segment `boundary`."""
+    if not 0 <= boundary < len(_segments(project)) - 1:
+        raise InputError("the line's ends are no boundaries between segments")
+    return merge_segments(project, boundary, boundary + 1)
+
+
 def move_boundary(project: Project, boundary: int, station: float) -> Project:
     """Move the boundary behind the segment `boundary` to a station."""
-    return replace(project, segments=alignment.move_boundary(_segments(project), boundary, float(station)))
+    shortest = shortest_by_hand(project)
+    found = _segments(project)
+    moved = alignment.move_boundary(found, boundary, float(station), shortest=shortest)
+    return project if moved is found else replace(project, segments=moved)
 
 
 def flip_segment(project: Project, index: int) -> Project:
@@ -33,9 +52,23 @@ def flip_segment(project: Project, index: int) -> Project:
     return replace(project, segments=alignment.flip_kind(_with_index(project, index), index))
 
 
+def flip_segments(project: Project, indices: Sequence[int]) -> Project:
+    """Turn each of several segments into the other kind."""
+    for index in indices:
+        project = flip_segment(project, index)
+    return project
+
+
 def lock_segment(project: Project, index: int, *, locked: bool = True) -> Project:
     """Keep a segment as it is when segments are detected again, or let it go."""
     return replace(project, segments=alignment.set_locked(_with_index(project, index), index, locked=locked))
+
+
+def lock_segments(project: Project, indices: Sequence[int], *, locked: bool = True) -> Project:
+    """Lock or unlock several segments."""
+    for index in indices:
+        project = lock_segment(project, index, locked=locked)
+    return project
 
 
 def name_segment(project: Project, index: int, name: str) -> Project:
@@ -43,36 +76,47 @@ def name_segment(project: Project, index: int, name: str) -> Project:
     return replace(project, segments=alignment.rename(_with_index(project, index), index, name))
 
 
+def number_curves(project: Project) -> Project:
+    """Number the curves from the start, as tracks have them."""
+    found = _segments(project)
+    numbered = alignment.number_curves(found)
+    return project if numbered == found else replace(project, segments=numbered)
+
+
 def detect_again(project: Project) -> Project:
-    """Find the segments anew; locked ones stay, and with none locked they are automatic again."""
+    """Find the segments anew; locked and hand-made ones stay, and without any they are automatic again."""
     if project.segments is None:
         return project
     previous = _segments(project)
-    if not any(segment.locked for segment in previous):
+    if not any(alignment.is_kept(segment) or segment.name for segment in previous):
         return use_automatic_segments(project)
     from bobdesk.alignment.segmentation import detect_segments  # here, for it needs scipy
 
     line = derive.centreline(project).needed()
-    return replace(project, segments=detect_segments(line, project.segmentation, previous=previous))
+    found = detect_segments(line, project.segmentation, previous=previous)
+    return project if found == project.segments else replace(project, segments=found)
 
 
 def use_automatic_segments(project: Project) -> Project:
     """Give up all work by hand on segments."""
-    return replace(project, segments=None)
+    return project if project.segments is None else replace(project, segments=None)
 
 
 def set_segmentation(project: Project, settings: SegmentationSettings) -> Project:
-    """Change threshold, wanted number, shortest segment or rule, and detect with them; locked ones stay."""
+    """Change threshold, wanted number, shortest segment or rule, and detect with them; corrections stay."""
     numbers = (settings.threshold or 0.0, settings.change_cost, settings.shortest)
     if not all(math.isfinite(number) for number in numbers):
         raise InputError("a setting of the segments is no number")
+    if settings == project.segmentation:
+        return project
     return detect_again(replace(project, segmentation=settings))
 
 
 def set_segments(project: Project, segments: Segments) -> Project:
-    """Take all segments from a file."""
+    """Take all segments from a file; they count as made by hand."""
     line = derive.centreline(project).needed()
-    return replace(project, segments=check_segments(segments, length=line.length))
+    checked = check_segments(segments, length=line.length)
+    return replace(project, segments=tuple(replace(segment, by_hand=True) for segment in checked))
 
 
 def _segments(project: Project) -> Segments:

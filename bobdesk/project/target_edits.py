@@ -96,8 +96,8 @@ def set_known_elevations(project: Project, known: Iterable[KnownElevation]) -> P
 
 def set_solver(project: Project, settings: SolverSettings) -> Project:
     """Choose method, and what can be set of it."""
-    numbers = (*asdict(settings.pgd).values(), *asdict(settings.weights).values())
-    if not all(math.isfinite(number) for number in numbers):
+    numbers = (*asdict(settings.pgd).values(), *asdict(settings.weights).values(), settings.rate or 1.0)
+    if not all(math.isfinite(number) for number in (*numbers, settings.threshold)):
         raise InputError("a setting of the solver is no number")
     return replace(project, solver=settings)
 

@@ -34,6 +34,9 @@ class Iterate:
         Step length along the negative derivative.
     scale
         Factor on the plan.
+    profile, edge_gradients
+        Rows and pieces that the gradients belong to, and the gradients given at the held edges: a run that is
+        stopped before its end has its line from these.
     """
 
     number: int
@@ -45,6 +48,8 @@ class Iterate:
     optimality: float
     step: float
     scale: float = 1.0
+    profile: Profile | None = None
+    edge_gradients: FloatArray | None = None
 
 
 @dataclass(frozen=True, eq=False)

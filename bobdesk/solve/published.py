@@ -12,6 +12,7 @@ from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.profile import Profile, make_profile
 from bobdesk.solve.settings import PublishedSettings
 from bobdesk.solve.targets import Targets
+from bobdesk.solve.warm_start import WarmStart
 
 _WILDEST_SCALE = 2.0
 _RATE = 1e-5
@@ -19,7 +20,12 @@ _RATE_OF_SCALE = 0.2
 
 
 def published(
-    centreline: Centreline, segments: Segments, targets: Targets, settings: PublishedSettings | None = None
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: PublishedSettings | None = None,
+    *,
+    warm: WarmStart | None = None,
 ) -> Run:
     """Reconstruct the gradients as published; a generator of iterates that returns the solution.
 
@@ -29,7 +35,8 @@ def published(
     less than δ. With an unknown scale the factor f is updated in the same way at the end of each
     iteration, and x and y are scaled at the start of the next (Eq. 7 and 9); where that overshoots to
     less than half or more than double, the run ends and says so. The paper does not say
-    where it starts: here with equal height differences of all segments, within the limits.
+    where it starts: here with equal height differences of all segments, within the limits, or with the
+    gradients of an earlier run.
 
     Known elevations have no place in this method and are left out.
 
@@ -45,7 +52,7 @@ def published(
     rate = _rate(settings, profile, targets)
 
     scale, scale_before = 1.0, 1.0
-    heights = np.full(len(lengths), targets.drop / len(lengths))
+    heights = np.full(len(lengths), targets.drop / len(lengths)) if warm is None else warm.on(profile) * lengths
     heights = _within_limits(heights, lengths, targets)
     value = objective.value(heights / lengths)
     yield _iterate(0, heights, profile, scale, value, objective, targets)
@@ -84,7 +91,7 @@ def published(
         method="published",
         profile=profile,
         gradients=heights / (scale * lengths),
-        edge_gradients=np.zeros(max(len(lengths) - 1, 1)),
+        edge_gradients=_no_edge_gradients(profile),
         scale=scale,
         start_elevation=targets.drop,
         status=status,
@@ -134,4 +141,10 @@ def _iterate(
         optimality=float("nan"),
         step=float("nan"),
         scale=scale,
+        profile=profile,
+        edge_gradients=_no_edge_gradients(profile),
     )
+
+
+def _no_edge_gradients(profile: Profile) -> FloatArray:
+    return np.zeros(max(len(profile.piece_lengths) - 1, 1))

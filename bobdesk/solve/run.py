@@ -18,6 +18,7 @@ from bobdesk.solve.targets import Targets, check_targets
 if TYPE_CHECKING:
     from bobdesk.alignment.centreline import Centreline
     from bobdesk.solve.second_opinions import SecondOpinion
+    from bobdesk.solve.warm_start import WarmStart
 
 
 class Solver(Protocol):
@@ -28,6 +29,21 @@ class Solver(Protocol):
 
     def __call__(self, centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings) -> Run:
         """Start; `targets` are checked, and their known elevations count along the centreline."""
+
+
+class WarmSolver(Protocol):
+    """A solver that can begin where another run ended."""
+
+    def __call__(
+        self,
+        centreline: Centreline,
+        segments: Segments,
+        targets: Targets,
+        settings: SolverSettings,
+        *,
+        warm: WarmStart | None,
+    ) -> Run:
+        """Start; None begins as `solve` does."""
 
 
 @dataclass(frozen=True)
@@ -44,12 +60,16 @@ class SolverMethod:
         Starts it.
     holds_known
         Whether known elevations are held; else they are left out.
+    solve_from
+        Starts it where an earlier run ended; None where that is of no use. The recommended method has none, since
+        its first stage begins at the exact optimum without limits.
     """
 
     key: str
     title: str
     solve: Solver
     holds_known: bool = True
+    solve_from: WarmSolver | None = None
 
 
 def _pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings) -> Run:
@@ -58,10 +78,18 @@ def _pgd(centreline: Centreline, segments: Segments, targets: Targets, settings:
     return pgd(centreline, segments, targets, settings.pgd)
 
 
-def _published(centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings) -> Run:
+def _published(
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: SolverSettings,
+    *,
+    warm: WarmStart | None = None,
+) -> Run:
     from bobdesk.solve.published import published
 
-    return published(centreline, segments, targets, PublishedSettings(weights=settings.weights, rate=settings.rate))
+    chosen = PublishedSettings(weights=settings.weights, rate=settings.rate, threshold=settings.threshold)
+    return published(centreline, segments, targets, chosen, warm=warm)
 
 
 def _second_opinion(
@@ -74,7 +102,7 @@ def _second_opinion(
 
 METHODS: tuple[SolverMethod, ...] = (
     SolverMethod("pgd", "Projected gradient descent, recommended", _pgd),
-    SolverMethod("published", "The published method", _published, holds_known=False),
+    SolverMethod("published", "The published method", _published, holds_known=False, solve_from=_published),
     SolverMethod("lbfgsb", "L-BFGS-B", partial(_second_opinion, method="lbfgsb"), holds_known=False),
     SolverMethod("slsqp", "SLSQP", partial(_second_opinion, method="slsqp")),
     SolverMethod("de", "Differential evolution", partial(_second_opinion, method="de"), holds_known=False),
@@ -88,6 +116,7 @@ def solve(
     settings: SolverSettings,
     *,
     methods: tuple[SolverMethod, ...] = METHODS,
+    warm: WarmStart | None = None,
 ) -> Run:
     """Start the solver of the settings; a generator of iterates that returns the solution.
 
@@ -99,6 +128,8 @@ def solve(
         The method, and what is set of it.
     methods
         Those that there are; `bobdesk.files.solvers` adds other packages'.
+    warm
+        Where to begin, for methods that can make use of it.
 
     Raises
     ------
@@ -108,7 +139,10 @@ def solve(
         If limits, drop and known elevations contradict each other.
     """
     check_targets(targets)
-    return method_named(settings.method, methods).solve(centreline, segments, targets, settings)
+    method = method_named(settings.method, methods)
+    if warm is not None and method.solve_from is not None:
+        return method.solve_from(centreline, segments, targets, settings, warm=warm)
+    return method.solve(centreline, segments, targets, settings)
 
 
 def method_named(key: str, methods: tuple[SolverMethod, ...] = METHODS) -> SolverMethod:

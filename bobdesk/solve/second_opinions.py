@@ -107,6 +107,8 @@ def _solution(
             drop=targets.drop - terms.height,
             optimality=optimality,
             step=float("nan"),
+            profile=problem.profile,
+            edge_gradients=problem.edge_gradients,
         )
     return Solution(
         method=method,

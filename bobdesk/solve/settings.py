@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+PUBLISHED_THRESHOLD = 1e-3
+
 
 @dataclass(frozen=True)
 class Weights:
@@ -81,7 +83,7 @@ class PublishedSettings:
 
     weights: Weights = field(default_factory=Weights)
     rate: float | None = None
-    threshold: float = 1e-3
+    threshold: float = PUBLISHED_THRESHOLD
     first_derivative: float = -100.0
     max_iterations: int = 200_000
 
@@ -122,9 +124,12 @@ class SolverSettings:
         a, b, c, d of the published objective, for the other methods.
     rate
         η of the published method, or None for its usual value.
+    threshold
+        δ of the published method.
     """
 
     method: str = "pgd"
     pgd: PgdSettings = field(default_factory=PgdSettings)
     weights: Weights = field(default_factory=Weights)
     rate: float | None = None
+    threshold: float = PUBLISHED_THRESHOLD

@@ -257,5 +257,7 @@ def report(
             optimality=at.optimality,
             step=at.step,
             scale=problem.scale,
+            profile=problem.profile,
+            edge_gradients=problem.edge_gradients,
         )
         tally.nit += 1

@@ -15,12 +15,13 @@ from PySide6.QtWidgets import QApplication
 
 from bobdesk import __version__
 from bobdesk.files.recovery import user_data_folder
+from bobdesk.ui.crash import CrashGuard
 from bobdesk.ui.icons import icon
 from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.qt import refuse_unsound_versions
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import Settings
-from bobdesk.ui.theme import apply_theme
+from bobdesk.ui.theme import ThemeFollower
 
 _QT_IMAGES_MB = 4096
 
@@ -55,14 +56,17 @@ def start(path: Path | None) -> int:
     application = make_application([])
     settings = Settings()
     install_language(application, settings.language)
-    apply_theme(application, settings.theme)
+    ThemeFollower(application, settings)
     application.setWindowIcon(icon("bobdesk"))
     window = MainWindow(settings, user_data_folder())
+    guard = CrashGuard(window.documents.keeper.keep_now, window.leave, window)
+    guard.install()
     window.show()
     if path is not None:
         QTimer.singleShot(0, window, partial(window.open_file, path))
     QTimer.singleShot(0, window, window.warm_up)
     status = application.exec()
+    guard.uninstall()
     settings.write()
     # The window goes before the application, or Qt's own objects end in the wrong order.
     window.deleteLater()

@@ -58,6 +58,7 @@ class MainWindow(QMainWindow):
             quantities=Quantities(settings, self),
         )
         self._may_close = False
+        self._forget_copy = True
         self.questions = Questions(settings, self)
         self.documents = Documents(self.desk, self.questions, data_folder, self)
         self.plans = Plans(self.desk, self.documents, self.questions, self._look_at_coordinates, self)
@@ -86,6 +87,12 @@ class MainWindow(QMainWindow):
     def open_file(self, path: Path) -> None:
         """Open a file of any kind that BobDesk knows."""
         self.plans.open_any(path)
+
+    def leave(self) -> None:
+        """End at once; the recovery copy stays, and the next start offers it."""
+        self.documents.keeper.keep_now()
+        self._may_close, self._forget_copy = True, False
+        self.close()
 
     def warm_up(self) -> None:
         """Load what the first trace needs, while the user looks at the window."""
@@ -125,7 +132,7 @@ class MainWindow(QMainWindow):
             return
         self.layout_of_window.remember()
         self.desk.runner.close()
-        self.documents.close(forget_copy=True)
+        self.documents.close(forget_copy=self._forget_copy)
         event.accept()
 
     def changeEvent(self, event: QEvent) -> None:

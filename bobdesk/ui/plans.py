@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QBuffer, QIODevice, QMimeData, QObject
+from PySide6.QtCore import QMimeData, QObject
 from PySide6.QtGui import QImage
 
 from bobdesk.errors import InputError
@@ -22,7 +23,7 @@ from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
 from bobdesk.ui.plan_picture import DecodedPicture, with_levels_steps
-from bobdesk.ui.questions import Questions
+from bobdesk.ui.questions import PICTURE_SUFFIXES, Questions
 from bobdesk.ui.session import Edit
 
 if TYPE_CHECKING:
@@ -121,13 +122,12 @@ class Plans(QObject):
         if paths:
             self.open_any(paths[0])
             return
-        image = mime.imageData()
-        if not isinstance(image, QImage) or image.isNull():
+        data = _picture_in(mime)
+        if data is None:
             self._desk.notices.note(
                 self.tr("The clipboard holds no picture and no file; copy a picture of the plan and paste it here.")
             )
             return
-        data = _png(image)
         name = self.tr("pasted picture") + ".png"
 
         def job() -> Generator[Progress, None, _Read]:
@@ -152,7 +152,7 @@ class Plans(QObject):
         actual = _actual(line, path.name) if keep_elevations else None
 
         def edit(project: Project) -> Project:
-            opened = edits.open_coordinates(project, source)
+            opened = edits.open_coordinates(project, source, line.segments)
             return opened if actual is None else edits.compare_with(opened, actual)
 
         self._place(self.tr("Open {name}").format(name=path.name), edit, path.name)
@@ -198,7 +198,8 @@ class Plans(QObject):
         try:
             picture_format(head, name=path.name)
         except InputError:
-            return False
+            # A damaged picture is told of as one, not as a strange table.
+            return path.suffix.lower() in PICTURE_SUFFIXES
         return True
 
     def _coordinate_filter(self) -> str:
@@ -235,8 +236,20 @@ def _actual(line: ImportedLine, name: str) -> ActualTrack | None:
     return ActualTrack(name, np.column_stack([line.polyline.vertices, line.elevations]))
 
 
-def _png(image: QImage) -> bytes:
-    buffer = QBuffer()
-    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
-    image.save(buffer, "PNG")  # type: ignore[call-overload]
-    return bytes(buffer.data().data())
+def _picture_in(mime: QMimeData) -> bytes | None:
+    """Return a PNG file with the picture of the clipboard, as it was copied where that is possible."""
+    copied = bytes(mime.data("image/png").data())
+    if copied:
+        return copied
+    image = mime.imageData()
+    if not isinstance(image, QImage) or image.isNull():
+        return None
+    from PIL import Image
+
+    # Qt would write 96 dpi into every picture that says nothing of its own.
+    whole = image.convertToFormat(QImage.Format.Format_RGBA8888)
+    size = (whole.width(), whole.height())
+    copy = Image.frombytes("RGBA", size, bytes(whole.constBits()), "raw", "RGBA", whole.bytesPerLine())
+    file = io.BytesIO()
+    (copy if image.hasAlphaChannel() else copy.convert("RGB")).save(file, "PNG")
+    return file.getvalue()

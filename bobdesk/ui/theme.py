@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QApplication
 
-from bobdesk.ui.settings import Theme
+from bobdesk.ui.settings import Settings, Theme
 
 
 @dataclass(frozen=True)
@@ -50,6 +50,8 @@ class Colours:
     measure: str
     preview: str
     grid: str
+    good_soft: str
+    runs: tuple[str, ...]
 
 
 LIGHT = Colours(
@@ -84,6 +86,8 @@ LIGHT = Colours(
     measure="#7a3fb8",
     preview="#0a8f8f",
     grid="#d5dae1",
+    good_soft="#e8f5ec",
+    runs=("#1b6ec2", "#c2410c", "#1f7a45", "#7a3fb8", "#b3127a", "#6b5a00", "#0a7a8f", "#5f6672"),
 )
 DARK = Colours(
     is_dark=True,
@@ -117,6 +121,8 @@ DARK = Colours(
     measure="#b98af0",
     preview="#2cc4c4",
     grid="#3a414b",
+    good_soft="#1d3527",
+    runs=("#5aa5ef", "#f08a55", "#62c38b", "#b98af0", "#ff7ac6", "#d8c34a", "#3fc1d6", "#a3abb8"),
 )
 
 
@@ -138,6 +144,26 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     application.setStyle("Fusion")
     application.setPalette(_palette(_InForce.colours))
     application.setStyleSheet(_style_sheet(_InForce.colours))
+
+
+class ThemeFollower(QObject):
+    """Keeps the application in the theme that the user, or the system, has chosen."""
+
+    def __init__(self, application: QApplication, settings: Settings) -> None:
+        super().__init__(application)
+        self._application = application
+        self._settings = settings
+        settings.changed.connect(self._on_setting)
+        application.styleHints().colorSchemeChanged.connect(self._on_scheme)
+        apply_theme(application, settings.theme)
+
+    def _on_setting(self, name: str) -> None:
+        if name == "theme":
+            apply_theme(self._application, self._settings.theme)
+
+    def _on_scheme(self) -> None:
+        if self._settings.theme == "system":
+            apply_theme(self._application, "system")
 
 
 def _is_dark(application: QApplication, theme: Theme) -> bool:

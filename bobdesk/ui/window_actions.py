@@ -30,7 +30,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *ToolActions(desk, view, window).table(),
         *ScaleActions(desk, window).table(),
         *WindowActions(window, window).table(),
-        *HelpActions(desk, window).table(),
+        *HelpActions(lambda: window.actions_by_name, desk.settings, window).table(),
     )
     made = ActionSet(table, desk.settings, window, view)
     titles: tuple[tuple[MenuName, str], ...] = (

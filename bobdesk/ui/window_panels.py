@@ -14,6 +14,9 @@ from bobdesk.ui.panels.scale_panel import ScalePanel
 from bobdesk.ui.plan_view.view import PlanView
 from bobdesk.ui.plans import Plans
 
+# What the panels ask for, and the tool that does it.
+_TOOLS = {"flags": "set_start", "auto trace": "auto_trace", "live wire": "live_wire", "two edges": "two_edges"}
+
 
 class WindowPanels:
     """A stack of panels, and the wires between them and the plan view."""
@@ -40,6 +43,11 @@ class WindowPanels:
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
 
+    def _take_tool(self, name: str) -> None:
+        """Take the tool that a panel asks for, and give the plan the keyboard."""
+        self._view.set_tool(_TOOLS.get(name, name))
+        self._view.setFocus()
+
     def _plan(self) -> QWidget:
         panel = PlanPanel(self._desk, self.stack)
         panel.picture_wanted.connect(self._plans.new_from_picture)
@@ -50,11 +58,11 @@ class WindowPanels:
     def _scale(self) -> QWidget:
         panel = ScalePanel(self._desk, self.stack)
         panel.place_wanted.connect(self._view.show_place)
-        panel.tool_wanted.connect(self._view.set_tool)
+        panel.tool_wanted.connect(self._take_tool)
         return panel
 
     def _centreline(self) -> QWidget:
         panel = CentrelinePanel(self._desk, self.stack)
         panel.place_wanted.connect(self._view.show_place)
-        panel.tool_wanted.connect(self._view.set_tool)
+        panel.tool_wanted.connect(self._take_tool)
         return panel

@@ -8,9 +8,10 @@ from bobdesk.alignment.segments import (
     Segment,
     check_segments,
     flip_kind,
-    keep_locked,
+    keep_corrections,
     merge,
     move_boundary,
+    number_curves,
     rename,
     segment_at,
     set_locked,
@@ -33,8 +34,8 @@ def test_a_boundary_belongs_to_the_later_segment():
 def test_split_keeps_kind_and_leaves_the_name_with_the_first_part():
     assert split(THREE, 60) == (
         THREE[0],
-        Segment("curve", 40, 60, name="C1"),
-        Segment("curve", 60, 100),
+        Segment("curve", 40, 60, name="C1", by_hand=True),
+        Segment("curve", 60, 100, by_hand=True),
         THREE[2],
     )
 
@@ -46,8 +47,8 @@ def test_split_leaves_no_sliver(station):
 
 
 def test_merge_takes_kind_and_name_of_the_longest():
-    assert merge(THREE, 0, 1) == (Segment("curve", 0, 100, name="C1"), THREE[2])
-    assert merge(THREE, 0, 2) == (Segment("curve", 0, 150, name="C1"),)
+    assert merge(THREE, 0, 1) == (Segment("curve", 0, 100, name="C1", by_hand=True), THREE[2])
+    assert merge(THREE, 0, 2) == (Segment("curve", 0, 150, name="C1", by_hand=True),)
 
 
 @pytest.mark.parametrize(("first", "last"), [(1, 1), (2, 1), (-1, 1), (0, 3)])
@@ -73,7 +74,7 @@ def test_the_ends_do_not_move(boundary):
 
 def test_flip_rename_and_lock():
     assert flip_kind(THREE, 0)[0].kind == "curve"
-    assert flip_kind(flip_kind(THREE, 0), 0) == THREE
+    assert spans(flip_kind(flip_kind(THREE, 0), 0)) == spans(THREE)
     assert rename(THREE, 2, "  Kreisel ")[2].name == "Kreisel"
     assert set_locked(LOCKED, 1, locked=False) == THREE
     assert LOCKED[1].locked
@@ -119,7 +120,7 @@ def test_segments_that_cover_the_line_are_returned():
 
 def test_detecting_again_lays_locked_segments_over_what_was_found():
     detected = (Segment("straight", 0, 45), Segment("curve", 45, 90), Segment("straight", 90, 150))
-    assert keep_locked(detected, LOCKED) == (
+    assert keep_corrections(detected, LOCKED) == (
         Segment("straight", 0, 40),
         LOCKED[1],
         Segment("straight", 100, 150),
@@ -129,9 +130,9 @@ def test_detecting_again_lays_locked_segments_over_what_was_found():
 def test_what_is_left_beside_a_locked_segment_joins_a_free_neighbour_or_stays():
     lock = Segment("curve", 40, 100, locked=True)
     detected = (Segment("straight", 0, 38), Segment("curve", 38, 150))
-    assert spans(keep_locked(detected, (lock,))) == [("straight", 0, 40), ("curve", 40, 100), ("curve", 100, 150)]
+    assert spans(keep_corrections(detected, (lock,))) == [("straight", 0, 40), ("curve", 40, 100), ("curve", 100, 150)]
     second = Segment("straight", 101, 150, locked=True)
-    kept = keep_locked(detected, (lock, second))
+    kept = keep_corrections(detected, (lock, second))
     assert [round(s.length) for s in kept] == [40, 60, 1, 49]
 
 
@@ -160,7 +161,7 @@ def apply(segments, edit):
     if action == "lock":
         return set_locked(segments, arguments[0] % len(segments), locked=arguments[1])
     if action == "again":
-        return keep_locked(detected_from(arguments[0]), segments)
+        return keep_corrections(detected_from(arguments[0]), segments)
     if action is flip_kind:
         return flip_kind(segments, arguments[0] % len(segments))
     return action(segments, *arguments)
@@ -182,3 +183,34 @@ def test_any_sequence_of_edits_leaves_the_line_covered_and_locks_respected(seque
         if edit[0] != "lock":
             assert {(s.kind, s.start, s.end) for s in following if s.locked} == locked
         segments = following
+
+
+def test_detecting_again_leaves_what_was_made_by_hand_and_carries_names_over():
+    named = rename(THREE, 2, "Final straight")
+    moved = move_boundary(named, 0, 50)
+    assert [s.by_hand for s in moved] == [True, True, False]
+    detected = (Segment("straight", 0, 45), Segment("curve", 45, 98), Segment("straight", 98, 150))
+    again = keep_corrections(detected, moved)
+    assert spans(again) == spans(moved)
+    assert again[2].name == "Final straight"
+    assert keep_corrections(detected, again) == again
+
+
+def test_a_sliver_beside_nothing_free_joins_the_hand_made_one_but_never_a_locked_one():
+    lock, made = Segment("curve", 0, 40, locked=True), Segment("straight", 41, 150, by_hand=True)
+    kept = keep_corrections((Segment("straight", 0, 150),), (lock, made))
+    assert kept == (lock, Segment("straight", 40, 150, by_hand=True))
+
+
+def test_curves_are_numbered_from_the_start_and_free_names_stay():
+    segments = (
+        Segment("curve", 0, 10),
+        Segment("straight", 10, 20, name="2"),
+        Segment("curve", 20, 30, name="Kreisel"),
+        Segment("curve", 30, 40, name="7 Labyrinth"),
+        Segment("curve", 40, 50, name="9"),
+        Segment("straight", 50, 60, name="Finish"),
+    )
+    numbered = number_curves(segments)
+    assert [s.name for s in numbered] == ["1", "", "Kreisel", "3 Labyrinth", "4", "Finish"]
+    assert number_curves(numbered) == numbered

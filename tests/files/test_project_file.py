@@ -3,6 +3,7 @@ from __future__ import annotations
 import json
 import os
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,11 +20,12 @@ from bobdesk.files.project_decoding import decode_project
 from bobdesk.files.project_encoding import encode_project
 from bobdesk.files.project_file import load_project, save_project
 from bobdesk.files.project_schema import VERSION
+from bobdesk.plan.polyline import Polyline
 from bobdesk.project import edits
 from bobdesk.project.derive_runs import run_line, why_out_of_date
-from bobdesk.project.project import Picture, Project
+from bobdesk.project.project import Picture, Project, SourceLine
 from tests.project.edit_strategies import EDITS
-from tests.project.made_projects import coordinates_project, full_project, ready_project
+from tests.project.made_projects import bends, coordinates_project, full_project, ready_project
 from tests.project.same_project import print_of
 
 STORED = Path(__file__).parent.parent / "data" / "projects"
@@ -180,12 +182,33 @@ def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypat
 
 
 def test_what_a_crash_left_of_a_save_is_swept_away_later(tmp_path: Path) -> None:
-    old, new, others = (tmp_path / f".{name}.x.part" for name in ("a.bobdesk", "a.bobdesk.y", "b.bobdesk"))
-    for place in (old, new, others):
-        place.write_bytes(b"half")
-    for place in (old, others):
+    path = tmp_path / "a.bobdesk"
+    # What a process leaves that is killed between writing and moving, and what another is writing now.
+    left, new = (atomic._staged(path, b"half") for _ in range(2))
+    others = tmp_path / ".another.part"
+    others.write_bytes(b"not ours")
+    for place in (left, others):
         os.utime(place, (1e9, 1e9))
-    save_project(Project(), tmp_path / "a.bobdesk")
-    assert not old.exists()
-    assert new.exists()
-    assert others.exists()
+    save_project(Project(), path)
+    assert sorted(tmp_path.iterdir()) == sorted([path, new, others])
+
+
+@pytest.mark.parametrize(
+    "broken",
+    [
+        Project(name=3),  # type: ignore[arg-type]
+        Project(chosen_run=4),
+        Project(target_sets=()),
+        Project(segments=()),
+        Project(source=SourceLine("a", Polyline(bends(9)), 12.0, None)),
+        replace(Project(), solver=replace(Project().solver, pgd=replace(Project().solver.pgd, max_iterations=2.5))),  # type: ignore[arg-type]
+    ],
+)
+def test_what_could_not_be_opened_again_never_replaces_a_file(broken: Project, tmp_path: Path) -> None:
+    path = tmp_path / "a.bobdesk"
+    save_project(full_project(), path)
+    before = path.read_bytes()
+    with pytest.raises(InputError, match="could not be opened again"):
+        save_project(broken, path)
+    assert path.read_bytes() == before
+    assert list(tmp_path.iterdir()) == [path]

@@ -83,8 +83,14 @@ class RealWindow:
             stderr=subprocess.STDOUT,
         )
         self._home = home
-        self._connection = self._connected()
-        self.until("window.isVisible() and window.isActiveWindow()")
+        try:
+            self._connection = self._connected()
+            self.until("window.isVisible() and window.isActiveWindow()")
+        except BaseException:
+            self._program.kill()
+            self._program.wait(10)
+            self._said.close()
+            raise
 
     @property
     def output(self) -> str:
@@ -128,7 +134,7 @@ class RealWindow:
 
     def type(self, text: str) -> None:
         """Type a text."""
-        self._hand("type", "--delay", "8", text)
+        self._hand("type", "--delay", "8", "--", text)
         self._settle()
 
     def move(self, x: float, y: float) -> None:
@@ -149,7 +155,7 @@ class RealWindow:
 
     def click_plan(self, x: float, y: float, **how: Any) -> None:
         """Click on a pixel of the picture."""
-        self.click(*self.ask(f"plan({x!r}, {y!r})"), **how)
+        self.click(*self.ask(f"plan({float(x)}, {float(y)})"), **how)
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag with the left button from one place on the screen to another."""
@@ -179,6 +185,7 @@ class RealWindow:
             time.sleep(0.06)
         self._hand("mouseup", "1")
         other.wait(20)
+        other.stdout.close()
 
     def picture(self, path: Path) -> None:
         """Take a picture of the window."""
@@ -218,6 +225,12 @@ class RealWindow:
         subprocess.run(["xdotool", *arguments], env=self._environment, check=True, timeout=20)
 
     def _settle(self) -> None:
-        """Let the program take what the hand did; a modal question answers late, and that is no failure."""
+        """Let the program take what the hand did; that may have been its end."""
         time.sleep(0.06)
-        self.ask("1")
+        try:
+            self.ask("1")
+        except (OSError, AssertionError):
+            if self._program.poll() is None:
+                time.sleep(0.5)
+            if self._program.poll() is None:
+                raise

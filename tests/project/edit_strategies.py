@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import get_args
 
 import numpy as np
 from hypothesis import strategies as st
@@ -12,7 +13,15 @@ from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project import edits
-from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine, TargetSet
+from bobdesk.project.project import (
+    ActualTrack,
+    CalibrationWay,
+    ExportChoice,
+    Picture,
+    Project,
+    SourceLine,
+    TargetSet,
+)
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
 from tests.project.made_projects import bends, full_project, traced
@@ -23,6 +32,7 @@ metres = st.floats(-1e6, 1e6)
 positive = st.floats(1e-6, 1e5)
 words = st.text(max_size=12)
 index = st.integers(0, 5)
+places = st.just((None, None)) | st.tuples(st.floats(-180, 180), st.floats(-89, 89))
 
 
 def _point(draw: Draw) -> ControlPoint:
@@ -69,7 +79,9 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "write_notes": lambda p, d: edits.write_notes(p, d(words)),
     "open_picture": lambda p, d: edits.open_picture(p, _picture(d)),
     "open_coordinates": lambda p, d: edits.open_coordinates(
-        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), d(st.none() | metres), None)
+        p,
+        SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), *d(places)),
+        d(st.sampled_from([None, full_project().segments])),
     ),
     "compare_with": lambda p, d: edits.compare_with(p, ActualTrack(d(words), np.full((3, 3), d(metres)))),
     "compare_with_nothing": lambda p, d: edits.compare_with_nothing(p),
@@ -90,6 +102,7 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "scale_of_drawing": lambda p, d: edits.scale_of_drawing(p, d(positive)),
     "scale_by_position": lambda p, d: edits.scale_by_position(p),
     "find_the_scale": lambda p, d: edits.find_the_scale(p),
+    "choose_scale_way": lambda p, d: edits.choose_scale_way(p, d(st.sampled_from(get_args(CalibrationWay)))),
     "take_trace": lambda p, d: edits.take_trace(p, traced(d(st.integers(40, 60)))),
     "draw_line": lambda p, d: edits.draw_line(p, _points(d, d(st.integers(0, 6)))),
     "delete_line": lambda p, d: edits.delete_line(p),
@@ -114,6 +127,10 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "flip_segment": lambda p, d: edits.flip_segment(p, d(index)),
     "lock_segment": lambda p, d: edits.lock_segment(p, d(index), locked=d(st.booleans())),
     "name_segment": lambda p, d: edits.name_segment(p, d(index), d(words)),
+    "flip_segments": lambda p, d: edits.flip_segments(p, [d(index), d(index)]),
+    "lock_segments": lambda p, d: edits.lock_segments(p, [d(index)], locked=d(st.booleans())),
+    "delete_boundary": lambda p, d: edits.delete_boundary(p, d(index)),
+    "number_curves": lambda p, d: edits.number_curves(p),
     "detect_again": lambda p, d: edits.detect_again(p),
     "use_automatic_segments": lambda p, d: edits.use_automatic_segments(p),
     "set_segmentation": lambda p, d: edits.set_segmentation(p, _segmentation(d)),
@@ -131,6 +148,14 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "set_known_elevations": lambda p, d: edits.set_known_elevations(p, [_known(d), _known(d)]),
     "set_solver": lambda p, d: edits.set_solver(p, _solver(d)),
     "keep_run": lambda p, d: edits.keep_run(p, full_project().runs[d(st.integers(0, 1))]),
+    "choose_export": lambda p, d: edits.choose_export(
+        p,
+        ExportChoice(
+            d(st.sampled_from(["csv", "dxf"])),
+            d(st.sampled_from(["default", "tab"])),
+            d(st.none() | st.floats(0.0, 2000)),
+        ),
+    ),
     "choose_run": lambda p, d: edits.choose_run(p, d(st.none() | index)),
     "name_run": lambda p, d: edits.name_run(p, d(index), d(words)),
     "remove_run": lambda p, d: edits.remove_run(p, d(index)),

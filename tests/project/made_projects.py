@@ -13,6 +13,7 @@ from bobdesk.plan.traced_line import Trace
 from bobdesk.project import derive, edits
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine, TargetSet
+from bobdesk.project.record import record_of
 from bobdesk.project.runs import Run, finished_run
 from bobdesk.solve.iterates import Iterate
 from bobdesk.solve.run import solve
@@ -70,7 +71,7 @@ def solved_run(project: Project, name: str = "Run 1") -> Run:
         inputs,
         solution,
         found,
-        iterates,
+        record_of(iterates),
         digest=inputs_digest(project),
         name=name,
         target_set=project.targets.name,

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -7,8 +9,9 @@ from hypothesis import strategies as st
 
 from bobdesk.alignment.segments import Segment
 from bobdesk.errors import InputError
+from bobdesk.plan.polyline import Polyline
 from bobdesk.project import derive, edits
-from bobdesk.project.project import Picture, Project, TargetSet
+from bobdesk.project.project import Picture, Project, SourceLine, TargetSet
 from bobdesk.project.steps import steps
 from bobdesk.solve.targets import KnownElevation
 from tests.project.edit_strategies import EDITS, ELSEWHERE
@@ -105,9 +108,8 @@ def test_a_page_at_another_dpi_keeps_every_place_in_metres() -> None:
 
 
 def test_locked_segments_survive_detecting_again_and_automatic_gives_all_up() -> None:
-    project = edits.split_segment(ready_project(), 30.0)
+    project = edits.lock_segment(ready_project(), 0)
     assert project.segments is not None
-    project = edits.lock_segment(project, 0)
     again = edits.detect_again(project)
     assert again.segments is not None
     assert again.segments[0] == project.segments[0]
@@ -119,7 +121,7 @@ def test_segments_from_a_file_must_cover_the_line() -> None:
     project = ready_project()
     length = derive.centreline(project).needed().length
     both = (Segment("straight", 0.0, 50.0), Segment("curve", 50.0, length))
-    assert edits.set_segments(project, both).segments == both
+    assert edits.set_segments(project, both).segments == tuple(replace(one, by_hand=True) for one in both)
     with pytest.raises(InputError, match="the segments end at"):
         edits.set_segments(project, both[:1])
 
@@ -155,3 +157,17 @@ def test_a_line_cut_to_nearly_nothing_keeps_a_segment() -> None:
     assert len(project.segments) == 1
     assert "Centreline" in {step.name for step in steps(project) if step.state == "next"}
     assert edits.keep_final_climb(project).segments is not None
+
+
+def test_coordinates_may_bring_their_segments_and_a_place_on_the_earth() -> None:
+    source = SourceLine("a.json", Polyline(bends()), 12.0, 46.5)
+    line = edits.open_coordinates(ready_project(), source)
+    assert line.segments is None
+    found = derive.segments(line).needed()
+    project = edits.open_coordinates(ready_project(), source, edits.flip_segment(line, 1).segments)
+    kept = derive.segments(project).needed()
+    assert len(kept) == len(found)
+    assert [one.kind == other.kind for one, other in zip(kept[:3], found, strict=False)] == [True, False, True]
+    for longitude, latitude in ((12.0, None), (None, 46.0), (12.0, 95.0), (1e6, 46.0), (float("nan"), 46.0)):
+        with pytest.raises(InputError, match="no place on the Earth"):
+            edits.open_coordinates(Project(), SourceLine("a", Polyline(bends()), longitude, latitude))

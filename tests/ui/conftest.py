@@ -9,9 +9,11 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QObject, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
 
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.documents import Documents
 from bobdesk.ui.notices import Notices
 from bobdesk.ui.plan_picture import PlanPicture
 from bobdesk.ui.quantities import Quantities
@@ -20,6 +22,7 @@ from bobdesk.ui.selection import Selection
 from bobdesk.ui.session import Session
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import apply_theme
+from tests.ui.answers import Answers
 
 
 @pytest.fixture(autouse=True)
@@ -70,11 +73,11 @@ def nothing_left(qapp: QApplication) -> Iterator[None]:
 
 
 @pytest.fixture
-def until(qtbot: object) -> Callable[[Callable[[], bool]], None]:
+def until(qtbot: QtBot) -> Callable[[Callable[[], bool]], None]:
     """Return a function that lets the window work until something is true, or fails after ten seconds."""
 
     def wait(true: Callable[[], bool]) -> None:
-        qtbot.waitUntil(true, timeout=10_000)  # type: ignore[attr-defined]
+        qtbot.waitUntil(true, timeout=10_000)
 
     return wait
 
@@ -101,3 +104,33 @@ def desk(qapp: QApplication, tmp_path: Path) -> Iterator[Desk]:
     )
     runner.close()
     owner.deleteLater()
+
+
+@pytest.fixture
+def window(qtbot: QtBot) -> QWidget:
+    """A window for questions to appear over."""
+    made = QWidget()
+    qtbot.addWidget(made)
+    return made
+
+
+@pytest.fixture
+def answers(desk: Desk, window: QWidget) -> Answers:
+    """Questions with answers that the test gives."""
+    return Answers(desk.settings, window)
+
+
+@pytest.fixture
+def documents(desk: Desk, answers: Answers, tmp_path: Path) -> Iterator[Documents]:
+    """The document's way to the disk."""
+    made = Documents(desk, answers, tmp_path / "data")
+    yield made
+    made.close(forget_copy=True)
+
+
+@pytest.fixture
+def said(desk: Desk) -> list[str]:
+    """The sentences that were said to the user."""
+    sentences: list[str] = []
+    desk.notices.told.connect(lambda notice: sentences.append(notice.sentence))
+    return sentences

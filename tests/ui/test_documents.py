@@ -2,70 +2,11 @@ import os
 import time
 from pathlib import Path
 
-import pytest
-from PySide6.QtWidgets import QWidget
-
 from bobdesk.files.instance_lock import take_project_lock
 from bobdesk.files.project_file import load_project, save_project
 from bobdesk.files.recovery_store import recoverable
 from bobdesk.project import edits
 from bobdesk.project.project import Project
-from bobdesk.ui.documents import Documents
-from bobdesk.ui.questions import Questions
-
-
-class Answers(Questions):
-    """Answers what a test tells it to, and remembers what was asked."""
-
-    def __init__(self, settings, window):
-        super().__init__(settings, window)
-        self.asked = []
-        self.save_answer = "cancel"
-        self.changed_answer = "cancel"
-        self.copy_answer = False
-        self.save_path = None
-
-    def save_changes(self, name):
-        self.asked.append("save changes")
-        return self.save_answer
-
-    def changed_on_disk(self, name):
-        self.asked.append("changed on disk")
-        return self.changed_answer
-
-    def open_elsewhere(self, name):
-        self.asked.append("open elsewhere")
-        return self.copy_answer
-
-    def file_to_save(self, purpose, title, name, filters, suffix):
-        self.asked.append("where")
-        return self.save_path
-
-
-@pytest.fixture
-def window(qtbot):
-    made = QWidget()
-    qtbot.addWidget(made)
-    return made
-
-
-@pytest.fixture
-def answers(desk, window):
-    return Answers(desk.settings, window)
-
-
-@pytest.fixture
-def documents(desk, answers, tmp_path):
-    made = Documents(desk, answers, tmp_path / "data")
-    yield made
-    made.close(forget_copy=True)
-
-
-@pytest.fixture
-def said(desk):
-    sentences = []
-    desk.notices.told.connect(lambda notice: sentences.append(notice.sentence))
-    return sentences
 
 
 def rename(desk, name):

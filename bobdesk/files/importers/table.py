@@ -88,8 +88,9 @@ def read_bytes(path: Path) -> bytes:
             raise InputError(f"{path}: the file is too large; the most that is read is 400 MB")
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such file") from None
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {reason(error)}") from error
+    except (OSError, ValueError) as error:
+        shown = str(path).replace("\0", "\\0")
+        raise InputError(f"{shown}: cannot be read: {reason(error)}") from error
     if not data.strip():
         raise InputError(f"{path}: the file is empty")
     return data

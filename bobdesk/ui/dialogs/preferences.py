@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import cast
 
 from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
@@ -82,6 +83,7 @@ class PreferencesDialog(QDialog):
         self.autosave.setSpecialValueText(self.tr("never"))
         self.autosave.setSuffix(self.tr(" min"))
         self.autosave.setKeyboardTracking(False)
+        self.autosave.setMinimumHeight(self.theme.sizeHint().height())
         self.autosave.setValue(settings.autosave_minutes)
         self.autosave.setAccessibleName(self.tr("Save every"))
         self.autosave.setToolTip(self.tr("Save a project that has a file by itself; 0 never does"))
@@ -92,6 +94,11 @@ class PreferencesDialog(QDialog):
         )
         self._lay_out()
         self._connect()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Be as high as the wrapped sentences need: Qt's own guess is too low."""
+        super().showEvent(event)
+        self.setMinimumHeight(self.heightForWidth(self.width()))
 
     def reject(self) -> None:
         """Take back all that was chosen."""

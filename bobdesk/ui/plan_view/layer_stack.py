@@ -8,9 +8,16 @@ from PySide6.QtCore import QRectF
 from PySide6.QtWidgets import QGraphicsScene
 
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.layers.centreline import CentrelineLayer
+from bobdesk.ui.plan_view.layers.control_points import ControlPointsLayer
+from bobdesk.ui.plan_view.layers.flags import FlagsLayer
+from bobdesk.ui.plan_view.layers.furniture import FurnitureLayer
 from bobdesk.ui.plan_view.layers.layer import Layer
 from bobdesk.ui.plan_view.layers.picture import PictureLayer
 from bobdesk.ui.plan_view.layers.preview import PreviewLayer
+from bobdesk.ui.plan_view.layers.segments import SegmentsLayer
+from bobdesk.ui.plan_view.layers.source_line import SourceLineLayer
+from bobdesk.ui.plan_view.layers.stations import StationsLayer
 from bobdesk.ui.plan_view.layers.trace import TraceLayer
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.tool_box import ToolBox
@@ -25,7 +32,14 @@ class LayerStack:
         self.preview = PreviewLayer(desk, frame, lambda: tools.current)
         made: tuple[Layer, ...] = (
             self.picture,
+            SourceLineLayer(desk, frame),
             TraceLayer(desk, frame, lambda: tools.current.preview_points()),
+            CentrelineLayer(desk, frame),
+            SegmentsLayer(desk, frame),
+            StationsLayer(desk, frame),
+            FlagsLayer(desk, frame),
+            ControlPointsLayer(desk, frame),
+            FurnitureLayer(desk, frame),
             self.preview,
         )
         self._layers = {layer.name: layer for layer in made}
@@ -43,6 +57,10 @@ class LayerStack:
         """Return a layer by its name."""
         return self._layers[name]
 
+    def in_loupe(self) -> list[Layer]:
+        """Return the shown layers that a loupe magnifies."""
+        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name != "furniture"]
+
     def set_bounds(self, bounds: QRectF) -> None:
         """Let all layers cover the scene."""
         for layer in self._layers.values():
@@ -55,4 +73,6 @@ class LayerStack:
     def set_shown(self, name: str, shown: bool) -> None:
         """Switch a layer on or off."""
         self._layers[name].setVisible(shown)
+        if name == "trace":
+            self._layers["source_line"].setVisible(shown)
         self._settings.set_flag(f"layer_{name}", shown)

@@ -3,11 +3,19 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QGraphicsView
 
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.tools.auto_trace import AutoTraceTool
+from bobdesk.ui.plan_view.tools.calibrate import CalibrateTool
 from bobdesk.ui.plan_view.tools.draw import DrawTool
+from bobdesk.ui.plan_view.tools.flags import FlagTool
+from bobdesk.ui.plan_view.tools.known_distance import KnownDistanceTool
+from bobdesk.ui.plan_view.tools.live_wire import LiveWireTool
+from bobdesk.ui.plan_view.tools.measure import MeasureTool
 from bobdesk.ui.plan_view.tools.select import SelectTool
 from bobdesk.ui.plan_view.tools.tool import Tool
+from bobdesk.ui.plan_view.tools.two_edges import TwoEdgesTool
 
 
 class ToolBox(QObject):
@@ -25,15 +33,25 @@ class ToolBox(QObject):
     said = Signal(str)
     repaint = Signal()
 
-    def __init__(self, desk: Desk, parent: QObject) -> None:
-        super().__init__(parent)
+    def __init__(self, desk: Desk, view: QGraphicsView) -> None:
+        super().__init__(view)
         made: tuple[Tool, ...] = (
             SelectTool(desk, self),
             DrawTool(desk, self),
+            LiveWireTool(desk, self),
+            AutoTraceTool(desk, self),
+            TwoEdgesTool(desk, self),
+            FlagTool("set_start", desk, self),
+            FlagTool("set_finish", desk, self),
+            FlagTool("cut", desk, self),
+            CalibrateTool(desk, self),
+            KnownDistanceTool(desk, self),
+            MeasureTool(desk, self),
         )
         self._tools = {tool.name: tool for tool in made}
         self._current: Tool = made[0]
         for tool in made:
+            tool.host = view.viewport()
             tool.repaint.connect(self.repaint)
             tool.said.connect(self._on_said)
             tool.done.connect(self._on_done)

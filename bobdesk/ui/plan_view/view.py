@@ -10,6 +10,7 @@ from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.canvas import Canvas
 from bobdesk.ui.plan_view.layer_stack import LayerStack
+from bobdesk.ui.plan_view.loupe import Loupe
 from bobdesk.ui.plan_view.nudge import is_arrow, nudge
 from bobdesk.ui.plan_view.selected_part import selected_part
 from bobdesk.ui.plan_view.space import space_of
@@ -39,7 +40,11 @@ class PlanView(Canvas):
         self.setAccessibleDescription(self.tr("The same vertices and points stand in the tables of the panels."))
         self.tools = ToolBox(desk, self)
         self.layers = LayerStack(desk, self.scene(), self.frame_now, self.tools)
+        self._loupe = Loupe(desk, self.layers.in_loupe, self.viewport())
+        self._loupe_is_wanted = desk.settings.flag("loupe", True)
+        self._doubt = -1
         self._to_be_fitted = True
+        self.pointer_moved.connect(self._place_loupe)
         self.tools.changed.connect(self._on_tool)
         self.tools.said.connect(self.said)
         self.tools.repaint.connect(self.viewport().update)
@@ -141,12 +146,39 @@ class PlanView(Canvas):
         """Return whether a layer is switched on."""
         return self.layers.is_shown(layer)
 
+    def is_loupe_shown(self) -> bool:
+        """Whether the loupe is shown while points are placed."""
+        return self._loupe_is_wanted
+
+    def show_loupe(self, shown: bool) -> None:
+        """Show the loupe while points are placed, or never."""
+        self._loupe_is_wanted = shown
+        self.desk.settings.set_flag("loupe", shown)
+        self._place_loupe()
+
+    def show_next_doubt(self) -> None:
+        """Bring the next doubtful stretch of the trace to the middle, and select its vertices."""
+        trace = self.desk.session.project.trace
+        if trace is None or len(trace.suspect) == 0:
+            return
+        self._doubt = (self._doubt + 1) % len(trace.suspect)
+        first, last = (int(index) for index in trace.suspect[self._doubt])
+        self.desk.selection.vertices = range(first, last + 1)
+        self.fit_selection()
+
     def showEvent(self, event: QShowEvent) -> None:
         """Show the whole plan the first time."""
         super().showEvent(event)
         self._fit_once()
 
+    def _place_loupe(self, _place: object = None) -> None:
+        tool = self.tools.current
+        helps = self._loupe_is_wanted and (tool.places_points or tool.is_dragging)
+        helps = helps and not self.navigation.is_panning and self.navigation.space.kind != "nothing"
+        self._loupe.look(self.pointer if helps else None, self.frame_now())
+
     def _on_tool(self, name: str) -> None:
+        self._place_loupe()
         self.show_cursor()
         self.tool_changed.emit(name)
         self.said.emit(self.sentence)

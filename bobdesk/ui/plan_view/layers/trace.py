@@ -9,7 +9,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 from bobdesk.arrays import BoolArray, FloatArray
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.layers.layer import Layer

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeyEvent, QPainter
 
 from bobdesk.arrays import FloatArray, frozen
-from bobdesk.plan.trace import Trace
+from bobdesk.plan.traced_line import Trace
 from bobdesk.ui.notices import Remedy
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.strokes import draw_line, pen

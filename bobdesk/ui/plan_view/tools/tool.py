@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QPainter
+from PySide6.QtWidgets import QWidget
 
 from bobdesk.arrays import FloatArray
 from bobdesk.ui.desk import Desk
@@ -78,6 +79,8 @@ class Tool(QObject):
         super().__init__(parent)
         self.desk = desk
         self.sentence = ""
+        # What small forms of the tool lie on; set by the view.
+        self.host: QWidget | None = None
 
     def say(self, sentence: str) -> None:
         """Tell what the tool does now."""

@@ -1,0 +1,289 @@
+"""Runs of the document's solver: one at a time in the background, others waiting, the result one undoable edit."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from collections.abc import Callable, Generator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+from weakref import WeakKeyDictionary
+
+from PySide6.QtCore import QObject, Signal
+
+from bobdesk.project.project import Project
+from bobdesk.project.record import IterateRecord
+from bobdesk.project.runs import Layout, Run, RunInputs
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.runner import Job
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
+    from bobdesk.solve.iterates import Iterate
+    from bobdesk.track.centreline3d import Centreline3D
+
+# A yield for every iterate would cost the solver a third of its time.
+_YIELD_EVERY_S = 0.003
+_TELL_EVERY_S = 0.1
+
+
+class _Control:
+    """What window and solver's thread tell each other; every attribute is written whole."""
+
+    def __init__(self, project: Project, name: str) -> None:
+        self.project = project
+        self.name = name
+        self.record = IterateRecord(project.targets.length)
+        self.enough = threading.Event()
+        self.single = threading.Event()
+        self.pause: Callable[[], None] = self.enough.is_set
+        self.line: Centreline | None = None
+        self.inputs: RunInputs | None = None
+
+
+def _pulled(control: _Control) -> Generator[int, None, Run]:
+    """Solve, and yield the number of iterates every few milliseconds; after each one in single steps."""
+    from bobdesk.project import derive
+    from bobdesk.project.new_run import new_run
+
+    project = control.project
+    control.inputs = derive.run_inputs(project).needed()
+    control.line = derive.centreline(project).needed()
+    job = new_run(
+        project, name=control.name, clock=time.perf_counter, record=control.record, enough=control.enough.is_set
+    )
+    due = 0.0
+    try:
+        while True:
+            try:
+                next(job)
+            except StopIteration as end:
+                return end.value  # type: ignore[no-any-return]
+            if control.single.is_set():
+                control.single.clear()
+                control.pause()
+                due = 0.0
+            if time.perf_counter() >= due:
+                yield control.record.count
+                due = time.perf_counter() + _YIELD_EVERY_S
+    finally:
+        job.close()
+
+
+@dataclass(frozen=True, eq=False)
+class Journey:
+    """How a run came to its end: what is needed to draw any of its kept iterates."""
+
+    line: Centreline
+    inputs: RunInputs
+    record: IterateRecord
+
+
+class Solving(QObject):
+    """The run that works, those that wait, and the way that finished ones took.
+
+    Signals
+    -------
+    changed
+        A run began, rests, goes on or has ended, or another one waits.
+    advanced
+        There are new iterates; at most ten times a second.
+    kept
+        A finished `Run` is in the project now.
+    """
+
+    changed = Signal()
+    advanced = Signal()
+    kept = Signal(object)
+
+    def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._desk = desk
+        self._job: Job | None = None
+        self._control: _Control | None = None
+        self._waiting: deque[_Control] = deque()
+        self._journeys: WeakKeyDictionary[Layout, Journey] = WeakKeyDictionary()
+        self._told = 0.0
+        self._rate_from = (0.0, 0)
+        self._rate = 0.0
+        desk.session.document_changed.connect(self.drop_all)
+
+    @property
+    def is_running(self) -> bool:
+        """Whether a run works or rests."""
+        return self._job is not None
+
+    @property
+    def is_paused(self) -> bool:
+        """Whether the run rests between two iterates."""
+        return self._job is not None and self._job.is_paused
+
+    @property
+    def waiting(self) -> int:
+        """How many runs wait for this one to end."""
+        return len(self._waiting)
+
+    @property
+    def name(self) -> str:
+        """Of the run that works, "" if none does."""
+        return "" if self._control is None else self._control.name
+
+    @property
+    def record(self) -> IterateRecord | None:
+        """What the run that works has left behind so far."""
+        return None if self._control is None else self._control.record
+
+    @property
+    def inputs(self) -> RunInputs | None:
+        """What the run that works was given, None until that is worked out."""
+        return None if self._control is None else self._control.inputs
+
+    @property
+    def rate(self) -> float:
+        """Iterations a second, lately."""
+        return self._rate
+
+    def run(self) -> None:
+        """Solve the project as it is now; while another run works, this one waits for it."""
+        control = self._prepared()
+        if self._job is None:
+            self._begin(control)
+            return
+        self._waiting.append(control)
+        self._desk.notices.note(
+            self.tr("{name} waits until {other} has ended.").format(name=control.name, other=self.name)
+        )
+        self.changed.emit()
+
+    def pause(self) -> None:
+        """Rest after this iterate."""
+        if self._job is not None:
+            self._job.pause()
+            self.changed.emit()
+
+    def resume(self) -> None:
+        """Go on."""
+        if self._job is not None:
+            self._job.resume()
+            self._rate_from = (time.perf_counter(), 0 if self.record is None else self.record.count)
+            self.changed.emit()
+
+    def step(self) -> None:
+        """Do one iteration and rest; begin a run if none works."""
+        if self._job is None:
+            control = self._prepared()
+            control.single.set()
+            self._begin(control)
+        elif self._control is not None:
+            self._control.single.set()
+            self._job.resume()
+
+    def stop(self) -> None:
+        """End the run that works with its best iterate."""
+        if self._job is not None and self._control is not None:
+            self._control.enough.set()
+            self._job.resume()
+
+    def drop_waiting(self) -> None:
+        """Let none of the waiting runs begin."""
+        self._waiting.clear()
+        self.changed.emit()
+
+    def drop_all(self) -> None:
+        """End all runs and keep none of them: they belong to another document."""
+        self._waiting.clear()
+        self._control = None
+        if self._job is not None:
+            self._job.stop()
+
+    def journey_of(self, run: Run) -> Journey | None:
+        """Return how a run of this session came to its end."""
+        return self._journeys.get(run.layout)
+
+    def newest_line(self) -> Centreline3D | None:
+        """Return the 3D line of the newest iterate of the run that works."""
+        control = self._control
+        if control is None or control.line is None or control.inputs is None or control.record.newest is None:
+            return None
+        return line_of(control.line, control.inputs, control.record.newest)
+
+    def _prepared(self) -> _Control:
+        project = self._desk.session.project
+        names = {run.name for run in project.runs} | {waiting.name for waiting in self._waiting} | {self.name}
+        number = len(project.runs) + 1
+        while (name := self.tr("Run {number}").format(number=number)) in names:
+            number += 1
+        return _Control(project, name)
+
+    def _begin(self, control: _Control) -> None:
+        self._control = control
+        self._told, self._rate, self._rate_from = 0.0, 0.0, (time.perf_counter(), 0)
+        job = self._desk.runner.start(
+            self.tr("Solving {name}").format(name=control.name),
+            lambda: _pulled(control),
+            done=self._on_done,
+            failed=self._desk.notices.error,
+            progressed=self._on_progress,
+        )
+        control.pause = job.pause
+        self._job = job
+        job.ended.connect(self._on_ended)
+        self.changed.emit()
+
+    def _on_progress(self, count: int) -> None:
+        now = time.perf_counter()
+        if now - self._told < _TELL_EVERY_S and not self.is_paused:
+            return
+        self._told = now
+        since, before = self._rate_from
+        if now > since:
+            self._rate = (count - before) / (now - since)
+        self._rate_from = (now, count)
+        self.advanced.emit()
+        if self.is_paused:
+            self.changed.emit()
+
+    def _on_done(self, run: Run) -> None:
+        from bobdesk.project import edits
+
+        control = self._control
+        if control is None:
+            return
+        if control.line is not None and control.inputs is not None:
+            self._journeys[run.layout] = Journey(control.line, control.inputs, control.record)
+        self.advanced.emit()
+        label = self.tr("Solve, {name}").format(name=run.name)
+        if self._desk.session.apply(label, lambda project: edits.keep_run(project, run)):
+            self.kept.emit(run)
+
+    def _on_ended(self) -> None:
+        self._job, self._control = None, None
+        if self._waiting:
+            self._begin(self._waiting.popleft())
+        else:
+            self.changed.emit()
+
+
+def line_of(line: Centreline, inputs: RunInputs, iterate: Iterate) -> Centreline3D:
+    """Return the 3D line of an iterate.
+
+    Raises
+    ------
+    InputError
+        If its method keeps no lines of its iterates.
+    """
+    from bobdesk.project.new_run import solution_at
+    from bobdesk.track.centreline3d import make_centreline3d
+
+    return make_centreline3d(line, inputs.segments, solution_at(inputs, iterate))
+
+
+def solving_of(desk: Desk) -> Solving:
+    """Return the one `Solving` that all parts of a window share."""
+    found = desk.session.findChild(Solving, "solving")
+    if found is not None:
+        return found
+    made = Solving(desk, desk.session)
+    made.setObjectName("solving")
+    return made
