@@ -11,6 +11,7 @@ from bobdesk.alignment.curvature import curvature
 from bobdesk.plan.trace_vertices import drawn_trace
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
+from bobdesk.ui.derived import centreline_later
 from bobdesk.ui.panels.centreline_panel import CentrelinePanel
 from tests.project.made_projects import bends, coordinates_project
 from tests.ui.panels.cells import shown, typed
@@ -247,3 +248,11 @@ def test_heavy_libraries_wait_until_they_are_needed():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_panel_that_comes_late_shows_the_length_at_once(desk, opened, qtbot, idle, until):
+    centreline_later(desk)
+    idle()
+    panel = CentrelinePanel(desk)
+    qtbot.addWidget(panel)
+    until(lambda: "±" in panel.smoothing.length.text())
