@@ -198,7 +198,9 @@ def _segments(found: list[schema.SegmentEntry]) -> Segments:
 
 
 def _solver(found: schema.SolverEntry) -> SolverSettings:
-    return SolverSettings(found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate, found.threshold)
+    return SolverSettings(
+        found.method, _built(PgdSettings, found.pgd), _built(Weights, found.weights), found.rate, found.threshold
+    )
 
 
 def _run(found: schema.RunEntry, tables: _Tables) -> Run:

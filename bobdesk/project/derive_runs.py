@@ -13,7 +13,7 @@ import numpy as np
 
 from bobdesk.plan.projection import Georeference
 from bobdesk.project import derive
-from bobdesk.project.digest import inputs_digest
+from bobdesk.project.digest import inputs_digest, of_segments
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
 from bobdesk.solve.anchors import anchors_of
@@ -43,12 +43,17 @@ def why_out_of_date(project: Project, run: Run) -> str | None:
             ("targets", "targets, limits or known elevations"),
             ("solver", "the solver's settings"),
         )
-        if getattr(now, name) != getattr(run.digest, name)
+        if getattr(now, name) != getattr(run.digest, name) and not (name == "segments" and _same_segments(project, run))
     ]
     if not changed:
         return None
     listed = changed[0] if len(changed) == 1 else f"{', '.join(changed[:-1])} and {changed[-1]}"
     return f"{listed} changed since this run"
+
+
+def _same_segments(project: Project, run: Run) -> bool:
+    """Return whether segments that are kept by hand are still those that the run found automatically."""
+    return project.segments is not None and of_segments(project.segments) == of_segments(run.inputs.segments)
 
 
 def warm_start(project: Project) -> WarmStart | None:

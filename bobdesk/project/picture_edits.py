@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError
 from bobdesk.plan.projection import is_place
 from bobdesk.plan.trace_vertices import enlarged
@@ -30,8 +31,15 @@ def open_picture(project: Project, picture: Picture) -> Project:
     )
 
 
-def open_coordinates(project: Project, source: SourceLine) -> Project:
+def open_coordinates(project: Project, source: SourceLine, segments: Segments | None = None) -> Project:
     """Begin with a line from a file; line, picture and hand-made segments of another plan are put away.
+
+    Parameters
+    ----------
+    source
+        The line.
+    segments
+        Those that the file says it has, or None to find them.
 
     Raises
     ------
@@ -41,7 +49,7 @@ def open_coordinates(project: Project, source: SourceLine) -> Project:
     place = (source.longitude, source.latitude)
     if place != (None, None) and not is_place(*place):
         raise InputError("the longitude and latitude of the plan are no place on the Earth")
-    return replace(_without_plan(project), source=source)
+    return replace(_without_plan(project), source=source, segments=segments)
 
 
 def redraw_page(project: Project, picture: Picture) -> Project:

@@ -17,8 +17,8 @@ from bobdesk.solve.targets import Targets, check_targets
 
 if TYPE_CHECKING:
     from bobdesk.alignment.centreline import Centreline
-    from bobdesk.solve.warm_start import WarmStart
     from bobdesk.solve.second_opinions import SecondOpinion
+    from bobdesk.solve.warm_start import WarmStart
 
 
 class Solver(Protocol):

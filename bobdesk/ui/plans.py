@@ -152,7 +152,7 @@ class Plans(QObject):
         actual = _actual(line, path.name) if keep_elevations else None
 
         def edit(project: Project) -> Project:
-            opened = edits.open_coordinates(project, source)
+            opened = edits.open_coordinates(project, source, line.segments)
             return opened if actual is None else edits.compare_with(opened, actual)
 
         self._place(self.tr("Open {name}").format(name=path.name), edit, path.name)

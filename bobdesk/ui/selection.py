@@ -8,16 +8,17 @@ from PySide6.QtCore import QObject, Signal
 
 
 class Selection(QObject):
-    """Selected vertices, segments and control point, and the station under the cursor.
+    """Selected vertices, segments, boundary and control point, and the station under the cursor.
 
     Signals
     -------
-    vertices_changed, segments_changed, control_point_changed, station_changed
+    vertices_changed, segments_changed, boundary_changed, control_point_changed, station_changed
         One of them is another one than before.
     """
 
     vertices_changed = Signal()
     segments_changed = Signal()
+    boundary_changed = Signal()
     control_point_changed = Signal()
     station_changed = Signal()
 
@@ -25,6 +26,7 @@ class Selection(QObject):
         super().__init__(parent)
         self._vertices: tuple[int, ...] = ()
         self._segments: tuple[int, ...] = ()
+        self._boundary: int | None = None
         self._control_point: int | None = None
         self._station: float | None = None
 
@@ -53,6 +55,17 @@ class Selection(QObject):
             self.segments_changed.emit()
 
     @property
+    def boundary(self) -> int | None:
+        """Index of the segment before the selected boundary, which the arrow keys nudge."""
+        return self._boundary
+
+    @boundary.setter
+    def boundary(self, index: int | None) -> None:
+        if index != self._boundary:
+            self._boundary = index
+            self.boundary_changed.emit()
+
+    @property
     def control_point(self) -> int | None:
         """Index of the selected control point."""
         return self._control_point
@@ -78,5 +91,6 @@ class Selection(QObject):
         """Select nothing."""
         self.vertices = ()
         self.segments = ()
+        self.boundary = None
         self.control_point = None
         self.station = None

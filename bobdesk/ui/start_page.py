@@ -10,12 +10,12 @@ from PySide6.QtGui import QFont, QKeySequence
 from PySide6.QtWidgets import QFrame, QLabel, QMenu, QScrollArea, QVBoxLayout, QWidget
 
 from bobdesk.files.recovery_store import Recoverable
-from bobdesk.ui.flow_layout import FlowLayout
 from bobdesk.ui.recent_entries import RecentEntry, unread_entry
 from bobdesk.ui.samples import samples
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.start_page_cards import BigButton, CardGrid
 from bobdesk.ui.start_page_recovery import RecoveryBanner
+from bobdesk.ui.widgets.flow_layout import FlowLayout
 
 _WIDEST = 1180
 _MARGIN = 72
@@ -135,7 +135,7 @@ class StartPage(QWidget):
         self.sample_button = BigButton(self.tr("Open sample"), self.tr("a finished track to play with"), "sample")
         self.sample_button.clicked.connect(self._show_samples)
         self._buttons = [self.picture_button, self.coordinates_button, self.sample_button]
-        row = FlowLayout(10)
+        row = FlowLayout(gap=10)
         for button in self._buttons:
             button.arrow.connect(lambda key, button=button: self._go(button, key))
             row.addWidget(button)

@@ -18,12 +18,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QAbstractButton, QMenu, QPushButton, QSizePolicy, QVBoxLayout, QWidget
 
-from bobdesk.ui.flow_layout import FlowLayout
 from bobdesk.ui.icons import icon
 from bobdesk.ui.line_picture import paint_line
 from bobdesk.ui.recent_entries import RecentEntry
 from bobdesk.ui.theme import colours
 from bobdesk.ui.when import Moments
+from bobdesk.ui.widgets.flow_layout import FlowLayout
 
 _ROUND = 6.0
 _ARROWS = (Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down)
@@ -228,7 +228,7 @@ class CardGrid(QWidget):
         super().__init__(parent)
         self.cards: list[RecentCard] = []
         self._cells: list[QWidget] = []
-        self._flow = FlowLayout(10, self)
+        self._flow = FlowLayout(self, gap=10)
 
     def show_entries(self, entries: Sequence[RecentEntry]) -> None:
         """Show other projects; the one with the focus keeps it."""

@@ -5,7 +5,7 @@ usage: python -m tests.journeys.drag_source FILE
 
 import sys
 
-from PySide6.QtCore import QMimeData, Qt, QUrl
+from PySide6.QtCore import QMimeData, Qt, QTimer, QUrl
 from PySide6.QtGui import QDrag
 from PySide6.QtWidgets import QApplication, QLabel
 
@@ -17,7 +17,8 @@ class Source(QLabel):
         data.setUrls([QUrl.fromLocalFile(sys.argv[1])])
         drag.setMimeData(data)
         drag.exec(Qt.DropAction.CopyAction)
-        QApplication.quit()
+        # The other program fetches the data after the button was released.
+        QTimer.singleShot(1500, QApplication.quit)
 
 
 application = QApplication(sys.argv[:1])

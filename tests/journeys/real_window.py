@@ -134,7 +134,7 @@ class RealWindow:
 
     def type(self, text: str) -> None:
         """Type a text."""
-        self._hand("type", "--delay", "8", text)
+        self._hand("type", "--delay", "8", "--", text)
         self._settle()
 
     def move(self, x: float, y: float) -> None:
@@ -155,7 +155,7 @@ class RealWindow:
 
     def click_plan(self, x: float, y: float, **how: Any) -> None:
         """Click on a pixel of the picture."""
-        self.click(*self.ask(f"plan({x!r}, {y!r})"), **how)
+        self.click(*self.ask(f"plan({float(x)}, {float(y)})"), **how)
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag with the left button from one place on the screen to another."""
@@ -185,6 +185,7 @@ class RealWindow:
             time.sleep(0.06)
         self._hand("mouseup", "1")
         other.wait(20)
+        other.stdout.close()
 
     def picture(self, path: Path) -> None:
         """Take a picture of the window."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import get_args
 
 import numpy as np
 from hypothesis import strategies as st
@@ -12,7 +13,15 @@ from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.project import edits
-from bobdesk.project.project import ActualTrack, ExportChoice, Picture, Project, SourceLine, TargetSet
+from bobdesk.project.project import (
+    ActualTrack,
+    CalibrationWay,
+    ExportChoice,
+    Picture,
+    Project,
+    SourceLine,
+    TargetSet,
+)
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
 from tests.project.made_projects import bends, full_project, traced
@@ -70,7 +79,9 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "write_notes": lambda p, d: edits.write_notes(p, d(words)),
     "open_picture": lambda p, d: edits.open_picture(p, _picture(d)),
     "open_coordinates": lambda p, d: edits.open_coordinates(
-        p, SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), *d(places))
+        p,
+        SourceLine(d(words), Polyline(bends(d(st.integers(5, 40)))), *d(places)),
+        d(st.sampled_from([None, full_project().segments])),
     ),
     "compare_with": lambda p, d: edits.compare_with(p, ActualTrack(d(words), np.full((3, 3), d(metres)))),
     "compare_with_nothing": lambda p, d: edits.compare_with_nothing(p),
@@ -91,6 +102,7 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "scale_of_drawing": lambda p, d: edits.scale_of_drawing(p, d(positive)),
     "scale_by_position": lambda p, d: edits.scale_by_position(p),
     "find_the_scale": lambda p, d: edits.find_the_scale(p),
+    "choose_scale_way": lambda p, d: edits.choose_scale_way(p, d(st.sampled_from(get_args(CalibrationWay)))),
     "take_trace": lambda p, d: edits.take_trace(p, traced(d(st.integers(40, 60)))),
     "draw_line": lambda p, d: edits.draw_line(p, _points(d, d(st.integers(0, 6)))),
     "delete_line": lambda p, d: edits.delete_line(p),
@@ -137,7 +149,12 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "set_solver": lambda p, d: edits.set_solver(p, _solver(d)),
     "keep_run": lambda p, d: edits.keep_run(p, full_project().runs[d(st.integers(0, 1))]),
     "choose_export": lambda p, d: edits.choose_export(
-        p, ExportChoice(d(st.sampled_from(["csv", "dxf"])), d(st.sampled_from(["default", "tab"])), d(st.none() | st.floats(0.0, 2000)))
+        p,
+        ExportChoice(
+            d(st.sampled_from(["csv", "dxf"])),
+            d(st.sampled_from(["default", "tab"])),
+            d(st.none() | st.floats(0.0, 2000)),
+        ),
     ),
     "choose_run": lambda p, d: edits.choose_run(p, d(st.none() | index)),
     "name_run": lambda p, d: edits.name_run(p, d(index), d(words)),

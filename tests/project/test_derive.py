@@ -222,6 +222,8 @@ def test_histories_have_at_most_2000_rows_with_both_ends() -> None:
         (lambda p: edits.remove_known_elevation(p, 0), {"targets"}),
         (lambda p: edits.name_target_set(p, "Men"), set()),
         (lambda p: edits.set_solver(p, SolverSettings("slsqp")), {"solver"}),
+        (lambda p: edits.set_solver(p, SolverSettings("of a plug-in")), {"solver"}),
+        (lambda p: edits.set_solver(p, SolverSettings("pgd", rate=1e-6)), set()),
         (lambda p: edits.scale_by_number(p, 0.5), {"plan"}),
         (lambda p: edits.say_which_line(p, "left edge", 0.0), set()),
         (lambda p: edits.say_which_line(p, "left edge", 0.7), {"plan"}),
@@ -232,6 +234,14 @@ def test_the_digest_tells_what_changes_a_result(edit, changed) -> None:  # type:
     before, after = inputs_digest(project), inputs_digest(edit(project))
     names = ("plan", "fit", "segments", "targets", "solver")
     assert {name for name in names if getattr(before, name) != getattr(after, name)} == changed
+
+
+def test_the_rate_counts_where_it_is_used() -> None:
+    def digest(method: str, rate: float | None) -> str:
+        return inputs_digest(edits.set_solver(ready_project(), SolverSettings(method, rate=rate))).solver
+
+    assert digest("published", 1e-5) != digest("published", None)
+    assert digest("slsqp", 1e-5) == digest("slsqp", None)
 
 
 def test_switching_back_makes_a_run_up_to_date_again() -> None:

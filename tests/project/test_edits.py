@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 
 from bobdesk.alignment.segments import Segment
 from bobdesk.errors import InputError
+from bobdesk.plan.polyline import Polyline
 from bobdesk.project import derive, edits
-from bobdesk.project.project import Picture, Project, TargetSet
+from bobdesk.project.project import Picture, Project, SourceLine, TargetSet
 from bobdesk.project.steps import steps
 from bobdesk.solve.targets import KnownElevation
 from tests.project.edit_strategies import EDITS, ELSEWHERE
@@ -156,3 +157,17 @@ def test_a_line_cut_to_nearly_nothing_keeps_a_segment() -> None:
     assert len(project.segments) == 1
     assert "Centreline" in {step.name for step in steps(project) if step.state == "next"}
     assert edits.keep_final_climb(project).segments is not None
+
+
+def test_coordinates_may_bring_their_segments_and_a_place_on_the_earth() -> None:
+    source = SourceLine("a.json", Polyline(bends()), 12.0, 46.5)
+    line = edits.open_coordinates(ready_project(), source)
+    assert line.segments is None
+    found = derive.segments(line).needed()
+    project = edits.open_coordinates(ready_project(), source, edits.flip_segment(line, 1).segments)
+    kept = derive.segments(project).needed()
+    assert len(kept) == len(found)
+    assert [one.kind == other.kind for one, other in zip(kept[:3], found, strict=False)] == [True, False, True]
+    for longitude, latitude in ((12.0, None), (None, 46.0), (12.0, 95.0), (1e6, 46.0), (float("nan"), 46.0)):
+        with pytest.raises(InputError, match="no place on the Earth"):
+            edits.open_coordinates(Project(), SourceLine("a", Polyline(bends()), longitude, latitude))

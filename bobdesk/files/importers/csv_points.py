@@ -4,19 +4,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
+from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files.importers.dialect import Dialect
 from bobdesk.files.importers.imported_line import ImportedLine, imported_line
 from bobdesk.files.importers.table import Table, read_bytes, table_from
 from bobdesk.plan.polyline import LARGEST_COORDINATE
+from bobdesk.plan.projection import LARGEST_LATITUDE, Georeference, to_metres
 
 _X = ("x_m", "x", "easting", "east", "x [m]", "x(m)", "x (m)")
 _Y = ("y_m", "y", "northing", "north", "y [m]", "y(m)", "y (m)")
 _Z = ("z_m", "z", "elevation", "elevation_m", "height", "altitude", "z [m]", "z(m)", "z (m)")
 _MOST_PLAIN_COLUMNS = 3
+_FARTHEST_DEGREES = 4.0
+CsvUnit = Literal["metres", "millimetres", "feet", "US survey feet", "degrees"]
+_METRES = {"metres": 1.0, "millimetres": 0.001, "feet": 0.3048, "US survey feet": 1200 / 3937}
 
 
 @dataclass(frozen=True)
@@ -29,10 +35,14 @@ class CsvChoice:
         Separator and decimal sign; found out if None.
     columns
         Indices of x, y and z (or None), from 0; found by their names if None.
+    unit
+        Of the coordinates and elevations. With degrees, x is the longitude, y the latitude, and
+        elevations are metres.
     """
 
     dialect: Dialect | None = None
     columns: tuple[int, int, int | None] | None = None
+    unit: CsvUnit = "metres"
 
 
 def read_csv_points(path: Path) -> ImportedLine:
@@ -68,8 +78,13 @@ def line_of_csv(data: bytes, *, name: str, choice: CsvChoice | None = None) -> I
 def line_of_table(table: Table, *, choice: CsvChoice | None = None) -> ImportedLine:
     """Return the line in a table; see `line_of_csv`."""
     notes: list[str] = []
-    x, y, z = _columns(table, notes) if choice is None or choice.columns is None else choice.columns
+    choice = choice or CsvChoice()
+    x, y, z = _columns(table, notes) if choice.columns is None else choice.columns
     points = np.column_stack([table.column(x, _title(table, x)), table.column(y, _title(table, y))])
+    if choice.unit == "degrees":
+        elevations = None if z is None else table.column(z, _title(table, z))
+        return _line_of_degrees(points, elevations, name=table.name, notes=tuple(notes))
+    points = points * _METRES[choice.unit]
     beyond = np.argwhere(np.abs(points) >= LARGEST_COORDINATE)
     if len(beyond):
         row, axis = beyond[0].tolist()
@@ -77,8 +92,32 @@ def line_of_table(table: Table, *, choice: CsvChoice | None = None) -> ImportedL
             f"{table.name}, line {table.lines[row]}, column {_title(table, (x, y)[axis])} holds {points[row, axis]:g};"
             " coordinates beyond 100,000 km cannot be used: are they metres?"
         )
-    elevations = None if z is None else table.column(z, _title(table, z))
+    elevations = None if z is None else table.column(z, _title(table, z)) * _METRES[choice.unit]
     return imported_line(points, elevations, name=table.name, notes=tuple(notes))
+
+
+def columns_of(table: Table) -> tuple[int, int, int | None]:
+    """Return the indices of x, y and z (or None), found by their names.
+
+    Raises
+    ------
+    InputError
+        If they are not clear.
+    """
+    return _columns(table, [])
+
+
+def _line_of_degrees(
+    degrees: FloatArray, elevations: FloatArray | None, *, name: str, notes: tuple[str, ...]
+) -> ImportedLine:
+    if (np.abs(degrees) > (360.0, LARGEST_LATITUDE)).any():
+        raise InputError(f"{name}: a longitude or latitude is out of its range; are the coordinates metres?")
+    longitude = float(np.remainder(degrees[0, 0] + 180.0, 360.0) - 180.0)
+    origin = Georeference(longitude, float(degrees[0, 1]))
+    away = np.abs(np.remainder(degrees[:, 0] - longitude + 180.0, 360.0) - 180.0)
+    if max(away.max(), np.ptp(degrees[:, 1])) > _FARTHEST_DEGREES:
+        raise InputError(f"{name}: the points lie hundreds of kilometres apart; cut out the track first")
+    return imported_line(to_metres(degrees, origin), elevations, name=name, notes=notes, georeference=origin)
 
 
 def _columns(table: Table, notes: list[str]) -> tuple[int, int, int | None]:

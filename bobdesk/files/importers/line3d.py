@@ -20,6 +20,7 @@ from bobdesk.files.importers.formats import FORMATS, format_of, line_in
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.json_lines import columns_of_line, read_json
 from bobdesk.files.importers.table import Table, read_bytes, table_from
+from bobdesk.plan.polyline import LARGEST_COORDINATE
 from bobdesk.plan.projection import Georeference
 from bobdesk.track.centreline3d import Centreline3D, segment_gradients
 
@@ -96,6 +97,9 @@ def _of_table(table: Table) -> Centreline3D:
 
 def _as_written(values: dict[str, FloatArray], segments: Segments, *, name: str) -> Centreline3D:
     stations, numbers = values["station_m"], values["segment"]
+    for title, column in values.items():
+        if not (np.abs(column) < LARGEST_COORDINATE).all():
+            raise InputError(f"{name}: the column {title} holds a number that no track has")
     if len(stations) < 3 or not (np.diff(stations) > 0).all():
         raise InputError(f"{name}: the column station_m must grow from row to row, over three rows or more")
     if not np.isin(numbers, np.arange(1, len(segments) + 1)).all():

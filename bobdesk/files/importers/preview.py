@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from bobdesk.arrays import FloatArray, frozen
 from bobdesk.errors import InputError
-from bobdesk.files.importers.csv_points import CsvChoice, line_of_table
+from bobdesk.files.importers.csv_points import CsvChoice, columns_of, line_of_table
 from bobdesk.files.importers.formats import FORMATS, format_of, line_in
 from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.table import Table, read_bytes, table_from
@@ -30,7 +31,7 @@ class Preview:
     columns
         Titles of the columns of `rows`.
     unit
-        Of the coordinates in the file: "metres", "degrees", or "" if it is not known.
+        Of the coordinates in the file: "metres", "degrees", what a person said of a table, or "" if it is not known.
     separator, decimal
         Of a table, in words and as a sign; None for other formats.
     rows
@@ -47,6 +48,8 @@ class Preview:
         Why a table cannot be read in this way; None if it can.
     line
         What would be imported, None if there is a `problem`.
+    chosen
+        Of a table: indices of its columns x, y and z (or None) as they are read; None if they are not clear.
     """
 
     format: str
@@ -61,6 +64,7 @@ class Preview:
     notes: tuple[str, ...]
     problem: str | None
     line: ImportedLine | None
+    chosen: tuple[int, int, int | None] | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "thumbnail", frozen(self.thumbnail, columns=2))
@@ -117,12 +121,16 @@ def _of_table(table: Table, choice: CsvChoice | None) -> Preview:
         line = line_of_table(table, choice=choice)
     except InputError as error:
         problem = str(error)
+    chosen = None if choice is None else choice.columns
+    if chosen is None:
+        with contextlib.suppress(InputError):
+            chosen = columns_of(table)
     width = min(max(len(row) for row in table.rows[:_ROWS]), _MOST_COLUMNS)
     header = table.header or [str(number) for number in range(1, width + 1)]
     return Preview(
         format=FORMATS[0].title,
         columns=tuple(header[:_MOST_COLUMNS]),
-        unit="metres",
+        unit="metres" if choice is None else choice.unit,
         separator=table.dialect.separator_name,
         decimal=table.dialect.decimal,
         rows=tuple(tuple(cell[:80] for cell in row[:_MOST_COLUMNS]) for row in table.rows[:_ROWS]),
@@ -132,6 +140,7 @@ def _of_table(table: Table, choice: CsvChoice | None) -> Preview:
         notes=() if line is None else line.notes,
         problem=problem,
         line=line,
+        chosen=chosen,
     )
 
 

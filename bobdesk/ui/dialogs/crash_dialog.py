@@ -99,7 +99,7 @@ class CrashDialog(QDialog):
         )
         self.copy_button.clicked.connect(self._copy)
         self.leave_button = self._button(
-            self.tr("Save a copy and quit"), self.tr("Write the project into another file, then end")
+            self.tr("Save a copy and quit"), self.tr("End now; the next start offers the recovery copy")
         )
         self.leave_button.clicked.connect(self._leave)
         self.continue_button = self._button(self.tr("Continue"), self.tr("Go on working"))

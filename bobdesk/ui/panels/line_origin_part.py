@@ -27,12 +27,12 @@ class LineOriginPart(Part):
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
         self.name_it(self.tr("Digitised line"))
-        form = panel.add_form(self.column)
-        self.how = panel.add_value(form, self.tr("Made by"))
-        self.vertices = panel.add_value(form, self.tr("Vertices"))
-        self.line_width = panel.add_value(form, self.tr("Width of the drawn line"))
-        self.doubts = panel.add_value(form, self.tr("Doubtful places"))
-        self._form = form
+        facts = panel.add_facts(self.column)
+        self.how = facts.add(self.tr("Made by"))
+        self.vertices = facts.add(self.tr("Vertices"))
+        self.line_width = facts.add(self.tr("Width of the drawn line"))
+        self.doubts = facts.add(self.tr("Doubtful places"))
+        self._facts = facts
         self.warnings = tuple(NoticeBox(self) for _ in range(_MOST_WARNINGS))
         for box in self.warnings:
             self.column.addWidget(box)
@@ -74,11 +74,11 @@ class LineOriginPart(Part):
         shown = None if source is not None else trace
         number = self.desk.quantities.number
         has_line = source is not None or trace is not None
-        self._form.setRowVisible(self.how, has_line)
-        self._form.setRowVisible(self.vertices, has_line)
-        self._form.setRowVisible(self.line_width, shown is not None and shown.line_width_px > 0)
+        self._facts.show_row(self.how, has_line)
+        self._facts.show_row(self.vertices, has_line)
+        self._facts.show_row(self.line_width, shown is not None and shown.line_width_px > 0)
         doubts = 0 if shown is None else len(shown.suspect)
-        self._form.setRowVisible(self.doubts, doubts > 0)
+        self._facts.show_row(self.doubts, doubts > 0)
         self.doubt_button.setVisible(doubts > 0)
         self.doubts.setText(number(doubts, 0))
         if source is not None:

@@ -17,18 +17,18 @@ class PlanSourcePart(Part):
 
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
-        form = panel.add_form(self.column)
-        self.file = panel.add_value(form, self.tr("File"))
-        self.format = panel.add_value(form, self.tr("Format"))
-        self.pixels = panel.add_value(form, self.tr("Size"))
-        self.resolution = panel.add_value(form, self.tr("Resolution"))
-        self.pages = panel.add_value(form, self.tr("Pages"))
-        self.position = panel.add_value(form, self.tr("Position"))
-        self.vertices = panel.add_value(form, self.tr("Vertices"))
-        self.length = panel.add_value(form, self.tr("Length"))
+        facts = panel.add_facts(self.column)
+        self.file = facts.add(self.tr("File"))
+        self.format = facts.add(self.tr("Format"))
+        self.pixels = facts.add(self.tr("Size"))
+        self.resolution = facts.add(self.tr("Resolution"))
+        self.pages = facts.add(self.tr("Pages"))
+        self.position = facts.add(self.tr("Position"))
+        self.vertices = facts.add(self.tr("Vertices"))
+        self.length = facts.add(self.tr("Length"))
         # Breaks that nobody sees must not be copied.
         self.file.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
-        self._form = form
+        self._facts = facts
         self.problem = panel.add_label("", "error", self.column)
         self.notes = panel.add_label("", "muted", self.column)
 
@@ -44,7 +44,7 @@ class PlanSourcePart(Part):
 
     def _show_rows(self, *shown: object) -> None:
         for row in (self.format, self.pixels, self.resolution, self.pages, self.position, self.vertices, self.length):
-            self._form.setRowVisible(row, row in shown)
+            self._facts.show_row(row, row in shown)
 
     def _show_coordinates(self, project: Project, source: SourceLine) -> None:
 

@@ -27,22 +27,22 @@ class ScaleFitPart(Part):
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
         self.name_it(self.tr("Fit"))
-        form = panel.add_form(self.column)
-        self.scale = panel.add_value(form, self.tr("Scale"))
-        self.turned = panel.add_value(form, self.tr("Turned"))
-        self.rms = panel.add_value(form, self.tr("RMS"))
+        facts = panel.add_facts(self.column)
+        self.scale = facts.add(self.tr("Scale"))
+        self.turned = facts.add(self.tr("Turned"))
+        self.rms = facts.add(self.tr("RMS"))
         self.rms.setToolTip(
             self.tr(
                 "Root of the mean of the squared distances between each click and its known position; "
                 "differences of known distances count alike."
             )
         )
-        self.length = panel.add_value(form, self.tr("Plan length that follows"))
-        self.worth = panel.add_value(form, self.tr("± in length is worth"))
+        self.length = facts.add(self.tr("Plan length that follows"))
+        self.worth = facts.add(self.tr("± in length is worth"))
         self.worth.setToolTip(
             self.tr("By how much the mean gradient must change if the plan is so much longer or shorter.")
         )
-        self._form = form
+        self._facts = facts
         self.affine = panel.add_label("", "muted", self.column)
         self.affine.setToolTip(self.tr("An affine fit beside the scale: whether the scan is stretched or sheared."))
         self._line = centreline_later(self.desk)
@@ -62,7 +62,7 @@ class ScaleFitPart(Part):
         self.scale.setText(text if calibration.scale_known else self.tr("unknown"))
         self.turned.setText(self.desk.quantities.angle(calibration.rotation_rad, 2))
         by_points = project.calibration.way == "points" and fit is not None
-        self._form.setRowVisible(self.rms, by_points)
+        self._facts.show_row(self.rms, by_points)
         if fit is not None and by_points:
             self.rms.setText(self._rms(fit))
         self._show_affine(project, by_points=by_points)
@@ -92,13 +92,13 @@ class ScaleFitPart(Part):
         derived = self._line.value
         line = None if derived is None else derived.value
         has_line = line is not None and self.desk.session.project.source is None
-        self._form.setRowVisible(self.length, has_line)
-        self._form.setRowVisible(self.worth, False)
+        self._facts.show_row(self.length, has_line)
+        self._facts.show_row(self.worth, False)
         if line is None or not has_line:
             return
         sigma = self._length_sigma(line.length)
         worth = None if sigma is None else self._gradient_worth(line.length, sigma)
-        self._form.setRowVisible(self.worth, worth is not None)
+        self._facts.show_row(self.worth, worth is not None)
         length = self.desk.quantities.length
         text = length(line.length, 1)
         self.length.setText(text if sigma is None else f"{text} ± {length(sigma, 1)}")

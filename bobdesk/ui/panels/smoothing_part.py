@@ -58,9 +58,9 @@ class SmoothingPart(Part):
         self.column.addWidget(self.slider)
         self.strip = CurvatureStrip(self.desk, self)
         self.column.addWidget(self.strip)
-        figures = panel.add_form(self.column)
-        self.length = panel.add_value(figures, self.tr("Plan length"))
-        self.parts = panel.add_value(figures, self.tr("± from"))
+        figures = panel.add_facts(self.column)
+        self.length = figures.add(self.tr("Plan length"))
+        self.parts = figures.add(self.tr("± from"))
         self._figures = figures
         self._found: PlanLength | None = None
         self._line = centreline_later(self.desk)
@@ -139,7 +139,7 @@ class SmoothingPart(Part):
 
     def _show_length(self) -> None:
         found, length = self._found, self.desk.quantities.length
-        self._figures.setRowVisible(self.parts, found is not None and found.sigma is not None)
+        self._figures.show_row(self.parts, found is not None and found.sigma is not None)
         if found is None:
             return
         text = length(found.length, 1)

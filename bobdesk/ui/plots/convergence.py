@@ -7,7 +7,17 @@ from collections.abc import Iterable
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFontMetricsF, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF, QWheelEvent
+from PySide6.QtGui import (
+    QColor,
+    QFontMetricsF,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QPolygonF,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from bobdesk.arrays import FloatArray
@@ -82,7 +92,7 @@ class ConvergencePlot(QWidget):
         self._panned_from: tuple[float, tuple[float, float]] | None = None
         self._scrubs = False
 
-    def sizeHint(self) -> QSize:  # noqa: N802
+    def sizeHint(self) -> QSize:
         """Be as high as in the drawing of the panel."""
         return QSize(380, 190)
 
@@ -154,7 +164,7 @@ class ConvergencePlot(QWidget):
         low = max(math.floor(min(lows) - 0.05), high - _DECADES_SHOWN)
         return (float(low), float(max(high, low + 2)))
 
-    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802
+    def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw axes, stages, curves and the marked iterate."""
         painter = QPainter(self)
         self.draw(painter, QRectF(self.rect()))
@@ -277,14 +287,14 @@ class ConvergencePlot(QWidget):
                 painter.drawEllipse(QPointF(x, y), 3.5, 3.5)
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802
+    def mousePressEvent(self, event: QMouseEvent) -> None:
         """Choose an iterate, or begin to pan."""
         if event.button() == Qt.MouseButton.LeftButton:
             self._choose_at(event.position().x())
         elif self._data is not None and self._data.count > 1:
             self._panned_from = (event.position().x(), self._x_range())
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Choose or pan while a button is held."""
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._choose_at(event.position().x())
@@ -294,15 +304,15 @@ class ConvergencePlot(QWidget):
             self._set_view((low + moved, high + moved))
             self.update()
 
-    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:  # noqa: N802
+    def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """End panning."""
         self._panned_from = None
 
-    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:  # noqa: N802
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
         """Show everything again."""
         self.follow()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
+    def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the mouse while the plot has the focus; else the panel scrolls."""
         if not self.hasFocus() or self._data is None or self._data.count < 2:
             event.ignore()
@@ -316,7 +326,7 @@ class ConvergencePlot(QWidget):
         self.update()
         event.accept()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Go from iterate to iterate."""
         data = self._data
         by = {

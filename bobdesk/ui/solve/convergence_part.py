@@ -59,7 +59,9 @@ class ConvergencePart(Part):
             self._boxes[name] = button
         self.follow_box = QCheckBox(self.tr("Follow the run"), self)
         self.follow_box.setChecked(True)
-        self.follow_box.setToolTip(self.tr("Show all iterates and the line of the newest one as they come, or hold the view"))
+        self.follow_box.setToolTip(
+            self.tr("Show all iterates and the line of the newest one as they come, or hold the view")
+        )
         self.follow_box.setAccessibleName(self.follow_box.text())
         self.column.addWidget(self.follow_box)
         self.reading = panel.add_label("", "muted", self.column)
@@ -141,7 +143,9 @@ class ConvergencePart(Part):
             return
         row = data.count - 1 if number is None else data.nearest(number)
         number_text = self.desk.quantities.number
-        text = self.tr("Iterate {number} of {last}: J {objective}, length off by {length} %, drop off by {drop} %, f {scale}")
+        text = self.tr(
+            "Iterate {number} of {last}: J {objective}, length off by {length} %, drop off by {drop} %, f {scale}"
+        )
         said = text.format(
             number=number_text(float(data.numbers[row]), 0),
             last=number_text(float(data.numbers[-1]), 0),

@@ -78,7 +78,7 @@ class FeasibilityBox(QFrame):
         self._links.setVisible(self._flow.count() > 0)
         self._restyle()
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Take the colours of another palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:

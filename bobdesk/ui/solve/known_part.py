@@ -42,9 +42,7 @@ class KnownPart(Part):
         self.add_button = panel.button(
             flow, self.tr("Add"), self.tr("Add a known elevation at the cursor along the line"), "plus"
         )
-        self.remove_button = panel.button(
-            flow, self.tr("Remove"), self.tr("Take the selected elevation away"), "minus"
-        )
+        self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected elevation away"), "minus")
         self.load_button = panel.button(
             flow,
             self.tr("Load CSV…"),
@@ -84,7 +82,9 @@ class KnownPart(Part):
         return (
             column(self.tr("Station"), self.tr("Along the line in plan, from the start"), "station"),
             column(self.tr("Elevation"), self.tr("Above the lowest point of the track"), "elevation"),
-            column(self.tr("Tolerance"), self.tr("How far the result may lie from it; 0 holds it exactly"), "tolerance"),
+            column(
+                self.tr("Tolerance"), self.tr("How far the result may lie from it; 0 holds it exactly"), "tolerance"
+            ),
         )
 
     def _why_it_stands_out(self, row: int) -> str:
@@ -115,9 +115,7 @@ class KnownPart(Part):
         station = self.desk.selection.station
         station = length / 2 if station is None else min(max(station, 0.0), length)
         known = KnownElevation(round(station, 2), round(project.targets.drop * (1 - station / length), 2))
-        if self.desk.session.apply(
-            self.tr("Add known elevation"), lambda now: edits.add_known_elevation(now, known)
-        ):
+        if self.desk.session.apply(self.tr("Add known elevation"), lambda now: edits.add_known_elevation(now, known)):
             row = self._known.index(known)
             self.table.setCurrentIndex(self.model.index(row, 1))
             self.table.edit(self.model.index(row, 1))

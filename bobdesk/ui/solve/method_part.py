@@ -102,7 +102,11 @@ class MethodPart(Part):
             self.tr("Vertical transitions"), 0, 300, 1, self.tr("Length over which one gradient passes to the next")
         )
         self.level_out = self._spin(
-            self.tr("Level out over"), 0, 1000, 1, self.tr("Length before the lowest point over which the line levels out")
+            self.tr("Level out over"),
+            0,
+            1000,
+            1,
+            self.tr("Length before the lowest point over which the line levels out"),
         )
         for spin in (self.plausible, self.transition, self.level_out):
             self.panel.add_field(form, spin.accessibleName(), spin, spin.toolTip())
@@ -134,7 +138,10 @@ class MethodPart(Part):
         )  # fmt: skip
         self.threshold = NumberField(self.tr("δ, end"), self.panel.refuse, self)
         self.panel.add_field(
-            form, self.tr("δ, end"), self.threshold, self.tr("The run ends once the objective changes by less than this")
+            form,
+            self.tr("δ, end"),
+            self.threshold,
+            self.tr("The run ends once the objective changes by less than this"),
         )
         self.rate.entered.connect(self._on_rate)
         self.threshold.entered.connect(self._on_threshold)

@@ -6,7 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
 from bobdesk.ui.quantities import Quantities
-from bobdesk.ui.solve.presets import Preset, presets
+from bobdesk.ui.solve.presets import presets
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
 from bobdesk.ui.widgets.table import Table
 

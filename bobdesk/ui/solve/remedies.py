@@ -60,7 +60,9 @@ class Remedies(QObject):
         return [(text, lambda: self._desk.session.apply(label, lambda now: edits.set_length(now, nearest)))]
 
     def _third_of_three(self, project: Project, found: Feasibility) -> list[Offer]:
-        return self._third(project, found.plan_length * (found.scale or 1.0 if project.calibration.way == "unknown" else 1))
+        return self._third(
+            project, found.plan_length * (found.scale or 1.0 if project.calibration.way == "unknown" else 1)
+        )
 
     def _third(self, project: Project, plan_length: float | None, *, only_missing: bool = False) -> list[Offer]:
         """Keep two of length, drop and mean gradient, and derive the third."""

@@ -25,14 +25,15 @@ class RunPart(Part):
         self.run_button = QPushButton(self)
         self.run_button.setProperty("kind", "primary")
         flow.addWidget(self.run_button)
-        self.step_button = panel.button(
-            flow, self.tr("Step"), self.tr("Do one iteration and rest"), "step"
-        )
+        self.step_button = panel.button(flow, self.tr("Step"), self.tr("Do one iteration and rest"), "step")
         self.stop_button = panel.button(
             flow, self.tr("Stop"), self.tr("End this run with its best iterate (Shift+F5)"), "stop"
         )
         self.queue_button = panel.button(
-            flow, self.tr("Queue another"), self.tr("Solve the project as it is now once this run has ended (F5)"), "plus"
+            flow,
+            self.tr("Queue another"),
+            self.tr("Solve the project as it is now once this run has ended (F5)"),
+            "plus",
         )
         self.drop_button = panel.button(
             flow, self.tr("Drop the waiting"), self.tr("Let none of the waiting runs begin"), "close"
@@ -69,7 +70,7 @@ class RunPart(Part):
             self.state.show()
         self._say_progress()
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Draw the icon in the colours of another palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "bar"):

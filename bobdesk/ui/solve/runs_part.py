@@ -58,7 +58,9 @@ class RunsPart(Part):
         self.copy_button = panel.button(
             flow, self.tr("Copy table"), self.tr("Copy the table with tabs, for a spreadsheet"), "copy"
         )
-        self.delete_button = panel.button(flow, self.tr("Delete run"), self.tr("Take the selected run from the list"), "delete")
+        self.delete_button = panel.button(
+            flow, self.tr("Delete run"), self.tr("Take the selected run from the list"), "delete"
+        )
         self.baseline_button.clicked.connect(self._on_baseline)
         self.copy_button.clicked.connect(self.copy)
         self.delete_button.clicked.connect(self._on_delete)

@@ -51,7 +51,7 @@ class TargetField(QLineEdit):
             self.setText(number_to_edit(value, digits))
             self.setModified(False)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Leave the number that was told last with Esc."""
         if event.key() == Qt.Key.Key_Escape and self.isModified():
             self._rest.stop()
@@ -59,7 +59,7 @@ class TargetField(QLineEdit):
             return
         super().keyPressEvent(event)
 
-    def focusInEvent(self, event: QFocusEvent) -> None:  # noqa: N802
+    def focusInEvent(self, event: QFocusEvent) -> None:
         """Select all, to be typed over."""
         super().focusInEvent(event)
         if event.reason() != Qt.FocusReason.MouseFocusReason:

@@ -130,7 +130,9 @@ class TargetsPart(Part):
         line.setSpacing(4)
         line.addWidget(self.lowest)
         line.addWidget(self.highest)
-        self.lowest.setToolTip(self.tr("No part of the track is flatter, or climbs more, than this; climbing is negative"))
+        self.lowest.setToolTip(
+            self.tr("No part of the track is flatter, or climbs more, than this; climbing is negative")
+        )
         self.highest.setToolTip(self.tr("No part of the track is steeper than this"))
         tip = self.tr("Smallest and largest gradient, downhill positive")
         self.panel.add_field(self._form, self.tr("Gradient limits"), row, tip)
@@ -271,4 +273,3 @@ class TargetsPart(Part):
         if not self.desk.session.apply(label, edit, key=f"targets {key}"):  # type: ignore[arg-type]
             field.setModified(False)
             self.refresh(self.desk.session.project)
-

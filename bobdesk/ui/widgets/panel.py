@@ -16,8 +16,8 @@ from PySide6.QtWidgets import (
 
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
+from bobdesk.ui.widgets.facts import Facts
 from bobdesk.ui.widgets.flow_layout import FlowLayout
-from bobdesk.ui.widgets.value_label import ValueLabel
 
 _MARGIN = 14
 
@@ -103,14 +103,11 @@ class Panel(QScrollArea):
         (to or self.column).addLayout(form)
         return form
 
-    def add_value(self, form: QFormLayout, text: str) -> ValueLabel:
-        """Add a row that only shows something."""
-        value = ValueLabel(self._body)
-        value.setAccessibleName(text)
-        label = QLabel(text, self._body)
-        label.setProperty("kind", "muted")
-        form.addRow(label, value)
-        return value
+    def add_facts(self, to: QVBoxLayout) -> Facts:
+        """Add rows that only show something."""
+        facts = Facts(self._body)
+        to.addWidget(facts)
+        return facts
 
     def add_field(self, form: QFormLayout, text: str, field: QWidget, tip: str) -> QWidget:
         """Add a row with something to set."""

@@ -93,6 +93,7 @@ def test_json_gives_every_column_and_segment_back(tmp_path):
             "names a segment that there is not",
         ),
         (lambda d: d["columns"]["s_m"].__setitem__(3, "x"), "not a finite number"),
+        (lambda d: d["columns"]["gradient"].__setitem__(3, 1e300), "gradient holds a number that no track has"),
     ],
 )
 def test_damaged_json_of_ours_is_one_sentence(tmp_path, change, sentence):

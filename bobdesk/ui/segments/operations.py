@@ -1,0 +1,341 @@
+"""What can be done to segments in the window: keys, menus, buttons and the mouse all come here."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from PySide6.QtCore import QObject
+
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
+from bobdesk.alignment.segments import Segments, is_kept, segment_at
+from bobdesk.errors import InputError
+from bobdesk.project import segment_edits
+from bobdesk.project.project import Project
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.newest import Newest
+from bobdesk.ui.notices import Remedy
+from bobdesk.ui.segments.alignment import alignment_of
+from bobdesk.ui.segments.alignment_now import alignment_now
+
+
+class SegmentOperations(QObject):
+    """Acts on what is selected, or else on the segment at the cursor; what is not possible is said."""
+
+    def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._desk = desk
+        self._now = alignment_now(desk)
+        self._trial = Newest(desk.runner, self.tr("Finding the segments"), self)
+        self._trial.answered.connect(self._on_tried)
+        self._trial.failed.connect(self._on_trial_failed)
+        self._on_success: Callable[[object], None] | None = None
+        self._wanted: SegmentationSettings | None = None
+        self._now.changed.connect(self._drop_lost_selection)
+
+    @property
+    def is_possible(self) -> bool:
+        """Whether there are segments."""
+        return bool(self._now.segments)
+
+    def chosen(self) -> tuple[int, ...]:
+        """Return the selected segments, or else the one at the cursor."""
+        selection, count = self._desk.selection, len(self._now.segments)
+        found = tuple(index for index in selection.segments if index < count)
+        if not found and selection.station is not None and count:
+            return (segment_at(self._now.segments, selection.station),)
+        return found
+
+    def boundary(self) -> int | None:
+        """Return the selected boundary, or else the one nearest to the cursor."""
+        selection, segments = self._desk.selection, self._now.segments
+        if selection.boundary is not None and selection.boundary < len(segments) - 1:
+            return selection.boundary
+        station = selection.station
+        if station is None or len(segments) < 2:
+            return None
+        return min(range(len(segments) - 1), key=lambda index: abs(segments[index].end - station))
+
+    def select(self, index: int, *, station: float | None = None, add: bool = False) -> None:
+        """Select a segment; with `add` all from the selected ones to it."""
+        selection = self._desk.selection
+        if add and selection.segments:
+            first, last = min(index, selection.segments[0]), max(index, selection.segments[-1])
+            selection.segments = range(first, last + 1)
+        else:
+            selection.segments = (index,)
+        if station is not None:
+            selection.station = station
+
+    def select_next(self, by: int) -> None:
+        """Go to a following segment (`by` 1) or one before (-1)."""
+        segments = self._now.segments
+        if not segments:
+            self._say_none()
+            return
+        chosen = self.chosen()
+        at = (chosen[-1] if by > 0 else chosen[0]) + by if chosen else (0 if by > 0 else len(segments) - 1)
+        at = min(max(at, 0), len(segments) - 1)
+        self._desk.selection.boundary = None
+        self.select(at, station=0.5 * (segments[at].start + segments[at].end))
+
+    def split(self) -> None:
+        """Cut the segment at the cursor; the new boundary is selected."""
+        station = self._desk.selection.station
+        if not self._ready():
+            return
+        if station is None:
+            self._desk.notices.note(self.tr("Click on a strip or on the line first: the segment is split there."))
+            return
+        index = segment_at(self._now.segments, station)
+        if self._apply(self.tr("Split segment"), lambda project: segment_edits.split_segment(project, station)):
+            self.select(index + 1)
+            self._desk.selection.boundary = index
+
+    def merge(self) -> None:
+        """Make one of the selected neighbours, or of the selected segment and its nearer neighbour."""
+        if not self._ready():
+            return
+        chosen = self.chosen()
+        if not chosen:
+            self._say_select()
+            return
+        if chosen[-1] - chosen[0] + 1 != len(chosen):
+            self._desk.notices.note(self.tr("Only neighbours can be merged; select segments that follow each other."))
+            return
+        first, last = (chosen[0], chosen[-1]) if len(chosen) > 1 else self._with_neighbour(chosen[0])
+        if self._apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
+            self._desk.selection.boundary = None
+            self.select(first)
+
+    def flip(self) -> None:
+        """Turn straights into curves and curves into straights."""
+        chosen = self._chosen_or_say()
+        if chosen:
+            self._apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segments(project, chosen))
+
+    def lock(self) -> None:
+        """Lock the selected segments; unlock them if all of them are locked."""
+        chosen = self._chosen_or_say()
+        if chosen:
+            locked = not self.all_locked(chosen)
+            label = self.tr("Lock segment") if locked else self.tr("Unlock segment")
+            self._apply(label, lambda project: segment_edits.lock_segments(project, chosen, locked=locked))
+
+    def all_locked(self, indices: tuple[int, ...]) -> bool:
+        """Return whether each of some segments is locked."""
+        segments = self._now.segments
+        return bool(indices) and all(segments[index].locked for index in indices)
+
+    def set_locked(self, index: int, *, locked: bool) -> bool:
+        """Lock or unlock one segment."""
+        label = self.tr("Lock segment") if locked else self.tr("Unlock segment")
+        return self._apply(label, lambda project: segment_edits.lock_segment(project, index, locked=locked))
+
+    def delete_boundary(self) -> None:
+        """Merge the two segments at the selected boundary, or at the one nearest to the cursor."""
+        if not self._ready():
+            return
+        boundary = self.boundary()
+        if boundary is None:
+            self._desk.notices.note(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
+            return
+        if self._apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
+            self._desk.selection.boundary = None
+            self.select(boundary)
+
+    def move_boundary(self, boundary: int, station: float, *, key: str | None = None) -> bool:
+        """Move a boundary."""
+        return self._apply(
+            self.tr("Move boundary"),
+            lambda project: segment_edits.move_boundary(project, boundary, station),
+            key=key,
+        )
+
+    def nudge(self, by: float) -> bool:
+        """Move the selected boundary on by so many metres; presses in a row are one step. Return whether there is one."""
+        boundary, segments = self._desk.selection.boundary, self._now.segments
+        if boundary is None or boundary >= len(segments) - 1:
+            return False
+        if not self.refuse_locked(boundary):
+            self.move_boundary(boundary, segments[boundary].end + by, key=f"nudge boundary {boundary}")
+        return True
+
+    def flip_one(self, index: int) -> bool:
+        """Turn one segment into the other kind."""
+        return self._apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segment(project, index))
+
+    def rename(self, index: int, name: str) -> bool:
+        """Give a segment a name."""
+        return self._apply(self.tr("Name segment"), lambda project: segment_edits.name_segment(project, index, name))
+
+    def number_curves(self) -> None:
+        """Number the curves from the start."""
+        if self._ready():
+            before = self._desk.session.project
+            self._apply(self.tr("Number curves"), segment_edits.number_curves)
+            if self._desk.session.project is before:
+                self._desk.notices.note(self.tr("The curves are numbered already; names of your own stay."))
+
+    def take(self, segments: Segments, label: str) -> bool:
+        """Take all segments from a file."""
+        self._desk.selection.boundary = None
+        return self._apply(label, lambda project: segment_edits.set_segments(project, segments))
+
+    def refuse_locked(self, boundary: int) -> bool:
+        """Say so if a segment beside a boundary is locked; return whether one is."""
+        segments = self._now.segments
+        locked = [index for index in (boundary, boundary + 1) if segments[index].locked]
+        if locked:
+            self._desk.notices.note(
+                self.tr("Segment {number} is locked, so this boundary stays; unlock it first (L).").format(
+                    number=locked[0] + 1
+                ),
+                Remedy(self.tr("Unlock it"), lambda: self.set_locked(locked[0], locked=False)),
+            )
+        return bool(locked)
+
+    def detect_again(self) -> None:
+        """Find the segments anew in the background; what was corrected by hand stays."""
+        project = self._desk.session.project
+        if not self._ready():
+            return
+        if project.segments is None:
+            self._desk.notices.note(self.tr("The segments are automatic; nothing was corrected by hand."))
+            return
+        if all(is_kept(segment) for segment in project.segments):
+            self._desk.notices.note(
+                self.tr("Every segment is locked or made by hand, so there is nothing to detect again."),
+                Remedy(self.tr("Back to automatic"), self.back_to_automatic),
+            )
+            return
+        self._try(
+            project,
+            lambda: segment_edits.detect_again(project),
+            lambda _found: self._apply(self.tr("Detect again"), segment_edits.detect_again),
+        )
+
+    def back_to_automatic(self) -> None:
+        """Give up all corrections; undo brings them back."""
+        if self._desk.session.project.segments is None:
+            self._desk.notices.note(self.tr("The segments are automatic already."))
+            return
+        self._desk.selection.boundary = None
+        self._apply(self.tr("Back to automatic"), segment_edits.use_automatic_segments)
+
+    def change_settings(self, **changes: object) -> None:
+        """Change how segments are found: tried in the background, and kept if that works; changes merge."""
+        project = self._desk.session.project
+        # A change that is still being tried must not be lost to the next one.
+        base = self._wanted or project.segmentation
+        settings: SegmentationSettings = replace(base, **changes)  # type: ignore[arg-type]
+        if settings == base:
+            return
+        # The trial fills the memory of what is derived, so that the edit itself takes no time.
+        self._try(
+            project,
+            lambda: _tried(project, settings),
+            lambda _found: self._apply(
+                self.tr("Change segmentation"),
+                lambda before: segment_edits.set_segmentation(before, settings),
+                key="segmentation " + " ".join(sorted(changes)),
+            ),
+        )
+        self._wanted = settings
+
+    def preview_threshold(self, threshold: float) -> None:
+        """Show what another threshold would find, without changing the document."""
+        project = self._desk.session.project
+        settings = replace(project.segmentation, threshold=threshold)
+        self._now.preview(self._now.segments if self._now.is_preview else None, threshold=threshold)
+
+        def show(found: object) -> None:
+            assert isinstance(found, tuple)
+            if self._now.threshold is not None and self._now.is_preview:
+                self._now.preview(found, threshold=threshold)
+
+        self._try(project, lambda: _tried(project, settings), show)
+
+    def drop_preview(self) -> None:
+        """Show the document's segments again."""
+        self._trial.drop()
+        self._on_success = self._wanted = None
+        self._now.preview(None)
+
+    def _try(self, project: Project, function: Callable[[], object], then: Callable[[object], object]) -> None:
+        def on_success(found: object) -> None:
+            # What was tried on another document, or another line, is worth nothing.
+            if self._desk.session.project is project:
+                then(found)
+
+        self._on_success, self._wanted = on_success, None
+        self._trial.ask(function)
+
+    def _on_tried(self, found: object) -> None:
+        then, self._on_success, self._wanted = self._on_success, None, None
+        if then is not None:
+            then(found)
+
+    def _on_trial_failed(self, sentence: str) -> None:
+        self._on_success = self._wanted = None
+        self._now.preview(None)
+        self._desk.notices.warn(sentence)
+
+    def _apply(self, label: str, edit: Callable[[Project], Project], *, key: str | None = None) -> bool:
+        return self._ready() and self._desk.session.apply(label, edit, key=key)
+
+    def _ready(self) -> bool:
+        if not self._now.is_current:
+            self._desk.notices.note(self.tr("The segments are still being worked out; try again in a moment."))
+            return False
+        if not self._now.segments:
+            self._say_none()
+            return False
+        return True
+
+    def _say_none(self) -> None:
+        self._desk.notices.note(self._now.problem or self.tr("There are no segments yet: a line comes first."))
+
+    def _say_select(self) -> None:
+        self._desk.notices.note(self.tr("Select a segment first: click it on the plan, on a strip or in the table."))
+
+    def _chosen_or_say(self) -> tuple[int, ...]:
+        if not self._ready():
+            return ()
+        chosen = self.chosen()
+        if not chosen:
+            self._say_select()
+        return chosen
+
+    def _with_neighbour(self, index: int) -> tuple[int, int]:
+        segments, station = self._now.segments, self._desk.selection.station
+        segment = segments[index]
+        before = index == len(segments) - 1
+        if index and station is not None and segment.start <= station < segment.end:
+            before = before or station < 0.5 * (segment.start + segment.end)
+        return (max(index - 1, 0), index) if before else (index, index + 1)
+
+    def _drop_lost_selection(self) -> None:
+        if self._now.is_preview or not self._now.is_current:
+            return
+        selection, count = self._desk.selection, len(self._now.segments)
+        selection.segments = [index for index in selection.segments if index < count]
+        if selection.boundary is not None and selection.boundary >= count - 1:
+            selection.boundary = None
+
+
+def operations(desk: Desk) -> SegmentOperations:
+    """Return the one set of operations that all parts of a window share."""
+    name = "segment operations"
+    found = desk.session.findChild(SegmentOperations, name)
+    if found is None:
+        found = SegmentOperations(desk, desk.session)
+        found.setObjectName(name)
+    return found
+
+
+def _tried(project: Project, settings: SegmentationSettings) -> Segments:
+    """Return the segments that settings would give; called on a thread."""
+    if not alignment_of(project).segments:
+        raise InputError("there are no segments")
+    return alignment_of(segment_edits.set_segmentation(project, settings)).segments

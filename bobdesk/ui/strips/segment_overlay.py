@@ -1,0 +1,187 @@
+"""Segments on a strip: curves tinted, boundaries as handles that can be dragged."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtGui import QFontMetricsF, QPainter, QPen
+from PySide6.QtWidgets import QApplication
+
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
+from bobdesk.ui.segments.boundary_drag import BoundaryDrag
+from bobdesk.ui.strips.contents import shade
+from bobdesk.ui.strips.overlay import Overlay, StripPointer
+from bobdesk.ui.strips.strip_painting import Geometry
+
+_NEAR = 6.0
+_HANDLE = 7.0
+_SNAP = 8.0
+_A_DRAG = 3.0
+_CLOSEST = 9.0
+
+
+class SegmentOverlay(Overlay):
+    """Shades curves, marks selected segments, and moves boundaries.
+
+    Parameters
+    ----------
+    has_handles
+        Whether boundaries have handles at the top here; the lines can be dragged everywhere.
+    """
+
+    def __init__(self, desk: Desk, drag: BoundaryDrag, *, has_handles: bool) -> None:
+        self._desk = desk
+        self._now: AlignmentNow = alignment_now(desk)
+        self._drag = drag
+        self._has_handles = has_handles
+        self._pressed: QPointF | None = None
+        self._offset = 0.0
+        self._is_moving = False
+
+    def paint_below(self, painter: QPainter, on: Geometry) -> None:
+        """Tint curves and selected segments."""
+        chosen = set(self._desk.selection.segments)
+        tint, picked = shade("curve", 30), shade("selected_row", 255)
+        for index, segment in enumerate(self._now.segments):
+            if segment.end < on.low or segment.start > on.high:
+                continue
+            left, right = on.x(segment.start), on.x(segment.end)
+            box = QRectF(left, on.area.top(), right - left, on.area.height())
+            if index in chosen:
+                painter.fillRect(box, picked)
+            if segment.kind == "curve":
+                painter.fillRect(box, tint)
+
+    def paint_above(self, painter: QPainter, on: Geometry) -> None:
+        """Draw boundaries; where they are too close for handles on the screen, only lines."""
+        segments = self._now.segments
+        selected = self._desk.selection.boundary
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
+        last_handle = -math.inf
+        for index, segment in enumerate(segments[:-1]):
+            if not on.low <= segment.end <= on.high:
+                continue
+            x = round(on.x(segment.end)) + 0.5
+            is_held = index == selected
+            painter.setPen(QPen(shade("accent" if is_held else "muted", 255 if is_held else 120), 2 if is_held else 1))
+            painter.drawLine(QPointF(x, on.area.top()), QPointF(x, on.area.bottom()))
+            if self._has_handles and (x - last_handle >= _CLOSEST or is_held):
+                last_handle = x
+                free = not (segment.locked or segments[index + 1].locked)
+                self._draw_handle(painter, x, on.area.top(), is_held=is_held, is_free=free)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if self._has_handles:
+            self._draw_locks(painter, on)
+            self._draw_figures(painter, on)
+
+    def cursor_at(self, pointer: StripPointer) -> Qt.CursorShape | None:
+        """Show that a boundary can be dragged."""
+        return None if self._boundary_at(pointer) is None else Qt.CursorShape.SizeHorCursor
+
+    def press(self, pointer: StripPointer) -> bool:
+        """Take hold of a boundary."""
+        if pointer.holds(Qt.KeyboardModifier.ShiftModifier) or pointer.holds(Qt.KeyboardModifier.ControlModifier):
+            return False
+        boundary = self._boundary_at(pointer)
+        if boundary is None:
+            return False
+        self._pressed, self._is_moving = pointer.at, False
+        self._offset = self._now.segments[boundary].end - pointer.station
+        self._drag.hold(boundary)
+        return True
+
+    def move(self, pointer: StripPointer) -> None:
+        """Preview the boundary at the mouse; Alt moves it freely."""
+        if self._pressed is None or self._drag.boundary is None:
+            return
+        self._is_moving = self._is_moving or abs(pointer.at.x() - self._pressed.x()) >= _A_DRAG
+        if self._is_moving:
+            free = pointer.holds(Qt.KeyboardModifier.AltModifier)
+            snap = 0.0 if free else _SNAP * pointer.on.metres_per_pixel
+            self._drag.drag(pointer.station + self._offset, snap=snap)
+
+    def release(self, pointer: StripPointer) -> None:
+        """Keep it there; a click alone only selects the boundary."""
+        self._pressed = None
+        if self._is_moving:
+            self._is_moving = False
+            self._drag.drop()
+        else:
+            self._drag.cancel()
+
+    def cancel(self) -> bool:
+        """Put the boundary back."""
+        self._pressed, self._is_moving = None, False
+        return self._drag.cancel()
+
+    def _boundary_at(self, pointer: StripPointer) -> int | None:
+        if not pointer.on.area.adjusted(-_NEAR, -_NEAR, _NEAR, 0).contains(pointer.at):
+            return None
+        return self._drag.boundary_at(pointer.station, _NEAR * pointer.on.metres_per_pixel)
+
+    def _draw_handle(self, painter: QPainter, x: float, top: float, *, is_held: bool, is_free: bool) -> None:
+        size = _HANDLE + (2 if is_held else 0)
+        painter.setPen(QPen(shade("accent" if is_held else "text"), 1))
+        painter.setBrush(shade("accent" if is_held else "text") if is_free else shade("base"))
+        painter.drawRect(QRectF(round(x - size / 2), round(top), size, size))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _draw_locks(self, painter: QPainter, on: Geometry) -> None:
+        """Draw a small closed lock in the middle of locked segments that have room for one."""
+        for segment in self._now.segments:
+            middle = on.x(0.5 * (segment.start + segment.end))
+            if (
+                not segment.locked
+                or on.x(segment.end) - on.x(segment.start) < 18
+                or not on.area.left() < middle < on.area.right()
+            ):
+                continue
+            top = on.area.top() + 3
+            painter.setPen(QPen(shade("text"), 1.3))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawArc(QRectF(middle - 2.5, top, 5, 7), 0, 180 * 16)
+            painter.setBrush(shade("text"))
+            painter.drawRect(QRectF(middle - 4, top + 4, 8, 5.5))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+
+    def _draw_figures(self, painter: QPainter, on: Geometry) -> None:
+        """Beside a boundary that is being dragged: station, and length, radius, turn and fit at both sides."""
+        boundary = self._drag.boundary
+        if boundary is None or not self._is_moving:
+            return
+        lines = drag_lines(self._desk, self._drag)
+        font = QApplication.font()
+        painter.setFont(font)
+        metrics = QFontMetricsF(font)
+        width = max(metrics.horizontalAdvance(line) for line in lines) + 16
+        height = len(lines) * metrics.height() + 8
+        x = on.x(self._now.segments[boundary].end)
+        left = x + 10 if x + 10 + width < on.area.right() else x - 10 - width
+        box = QRectF(left, on.area.top() + 4, width, height)
+        painter.setPen(QPen(shade("border"), 1))
+        painter.setBrush(shade("base", 240))
+        painter.drawRoundedRect(box, 4, 4)
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.setPen(shade("text"))
+        painter.drawText(
+            box.adjusted(8, 4, -8, -4), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, "\n".join(lines)
+        )
+
+
+def drag_lines(desk: Desk, drag: BoundaryDrag) -> list[str]:
+    """Return the figures of a drag in mid-work, a line for the station and one for each side."""
+    unit = desk.quantities
+    sides = drag.sides()
+    station = unit.length(sides[0][0].end, 2)
+    if drag.snapped:
+        station = QCoreApplication.translate("SegmentOverlay", "{station} (at the threshold)").format(station=station)
+    lines = [station]
+    for arrow, (segment, figures) in zip("◀▶", sides, strict=True):
+        parts = [unit.length(segment.length)]
+        if segment.kind == "curve":
+            parts.append(f"R {unit.length(figures.radius)}")
+        parts += [f"∠ {unit.angle(abs(figures.turn))}", f"± {unit.length(figures.deviation, 2)}"]
+        lines.append(f"{arrow} " + "  ".join(parts))
+    return lines
