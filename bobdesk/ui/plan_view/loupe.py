@@ -52,7 +52,8 @@ class Loupe(QWidget):
         right = frame.width - self.width() - _AWAY
         near = QRectF(right, _AWAY, self.width(), self.height()).adjusted(-60, -60, 60, 60)
         self.move(_AWAY if near.contains(pointer.screen) else right, _AWAY)
-        self.update()
+        # An update of its own would have the plan below painted a second time.
+        self.parentWidget().update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint circle, crosshair and coordinates."""
