@@ -73,6 +73,7 @@ class WindowPanels:
     def _centreline(self) -> QWidget:
         panel = CentrelinePanel(self._desk, self.stack)
         panel.place_wanted.connect(self._view.show_place)
+        panel.vertices_wanted.connect(self._view.fit_selection)
         panel.tool_wanted.connect(self._take_tool)
         return panel
 
