@@ -83,6 +83,7 @@ class MainWindow(QMainWindow):
         self.steps_bar.show_step(step)
         self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()
+        self.layout_of_window.show_strips(step)
 
     def open_file(self, path: Path) -> None:
         """Open a file of any kind that BobDesk knows."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDockWidget, QSizePolicy, QToolBar, QToolButton, QWidget
 
+from bobdesk.project.steps import StepName
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.steps_bar import StepsBar
 
@@ -15,10 +16,12 @@ if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
 
 # Another number after docks or bars were added or taken away: what was remembered of the old ones is dropped.
-_STATE = 1
+_STATE = 2
 _FIRST_SIZE = QSize(1440, 900)
 _PANEL_WIDTH = 430
 _LONGEST_LABEL = 34
+_STRIPS_HEIGHT = 330
+_STEPS_BY_STATION: tuple[StepName, ...] = ("Segments", "Solve", "Export")
 
 
 class WindowLayout:
@@ -46,11 +49,21 @@ class WindowLayout:
         self.panel_dock.setObjectName("panel_dock")
         self.panel_dock.setWidget(window.panels.stack)
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.panel_dock)
+        self.strips_dock = QDockWidget(window.tr("Strips by station"), window)
+        self.strips_dock.setObjectName("strips_dock")
+        window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.strips_dock)
+        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        self._strips_wanted = True
+        self.strips_dock.toggleViewAction().triggered.connect(self._on_strips_toggled)
         self._at_first: QByteArray | None = None
         window.resize(self._first_size())
         window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
         window.actions_by_name.menu_of("Window").addSeparator()
-        for toggle in (self.panel_dock.toggleViewAction(), self._tools.toggleViewAction()):
+        for toggle in (
+            self.panel_dock.toggleViewAction(),
+            self.strips_dock.toggleViewAction(),
+            self._tools.toggleViewAction(),
+        ):
             window.actions_by_name.menu_of("Window").addAction(toggle)
 
     def restore(self) -> None:
@@ -82,6 +95,23 @@ class WindowLayout:
         self._top.setVisible(is_open)
         self._tools.setVisible(is_open)
         self.panel_dock.setVisible(is_open)
+        if not is_open:
+            self.strips_dock.hide()
+
+    def show_strips(self, step: StepName) -> None:
+        """Show the strips with the steps that work by station, unless the user has put them away."""
+        wanted = step in _STEPS_BY_STATION and self._strips_wanted
+        if wanted and self.strips_dock.widget() is None:
+            self.strips_dock.setWidget(self._window.panels.strips())
+        if wanted != self.strips_dock.isVisible():
+            self.strips_dock.setVisible(wanted)
+            if wanted:
+                self._window.resizeDocks([self.strips_dock], [_STRIPS_HEIGHT], Qt.Orientation.Vertical)
+
+    def _on_strips_toggled(self, shown: bool) -> None:
+        self._strips_wanted = shown
+        if shown and self.strips_dock.widget() is None:
+            self.strips_dock.setWidget(self._window.panels.strips())
 
     def name_undo(self, undo: str | None, redo: str | None) -> None:
         """Write on actions and buttons what would be taken back or done again."""

@@ -33,15 +33,24 @@ class WindowPanels:
             "Plan": self._plan,
             "Scale": self._scale,
             "Centreline": self._centreline,
+            "Solve": self._solve,
         }
 
     def show_step(self, step: StepName) -> None:
         """Show the panel of a step."""
+        if step not in self._makers:
+            return
         if step not in self._shown:
             panel = self._makers[step]()
             self._shown[step] = panel
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
+
+    def strips(self) -> QWidget:
+        """Return the strips by station; the plots' library is loaded with them, not before."""
+        from bobdesk.ui.strips.strip_stack import StripStack
+
+        return StripStack(self._desk, self.stack)
 
     def _take_tool(self, name: str) -> None:
         """Take the tool that a panel asks for, and give the plan the keyboard."""
@@ -67,3 +76,8 @@ class WindowPanels:
         panel.vertices_wanted.connect(self._view.fit_selection)
         panel.tool_wanted.connect(self._take_tool)
         return panel
+
+    def _solve(self) -> QWidget:
+        from bobdesk.ui.panels.solve_panel import SolvePanel
+
+        return SolvePanel(self._desk, self.stack)

@@ -21,64 +21,77 @@ class ToolActions(QObject):
 
     def table(self) -> tuple[Action, ...]:
         """Return the rows."""
-        tr = self.tr
         return (
-            self._row("select", tr("&Select"), "S", "select", tr("Select, move and insert vertices"), "Edit"),
-            self._row("draw", tr("&Draw by clicks"), "A", "draw", tr("Draw the line click by click, or continue it")),
+            self._row("select", self.tr("&Select"), "S", "select", self.tr("Select, move and insert vertices"), "Edit"),
+            self._row(
+                "draw", self.tr("&Draw by clicks"), "A", "draw", self.tr("Draw the line click by click, or continue it")
+            ),
             self._row(
                 "live_wire",
-                tr("&Follow the line (live-wire)"),
+                self.tr("&Follow the line (live-wire)"),
                 "T",
                 "live-wire",
-                tr("Follow the drawn line from click to click; a preview shows what the next click takes"),
+                self.tr("Follow the drawn line from click to click; a preview shows what the next click takes"),
             ),
             self._row(
                 "auto_trace",
-                tr("&Trace automatically"),
+                self.tr("&Trace automatically"),
                 "Shift+T",
                 "auto-trace",
-                tr("Click start and finish: the line between them is traced"),
+                self.tr("Click start and finish: the line between them is traced"),
             ),
             self._row(
                 "two_edges",
-                tr("Trace two &edges"),
+                self.tr("Trace two &edges"),
                 "E",
                 "two-edges",
-                tr("Trace both edges of the track one after the other; the line goes in the middle"),
+                self.tr("Trace both edges of the track one after the other; the line goes in the middle"),
             ),
-            self._row("set_start", tr("Set s&tart"), "G", "start-flag", tr("Put the start flag on the line"), "Track"),
+            self._row(
+                "set_start",
+                self.tr("Set s&tart"),
+                "G",
+                "start-flag",
+                self.tr("Put the start flag on the line"),
+                "Track",
+            ),
             self._row(
                 "set_finish",
-                tr("Set f&inish"),
+                self.tr("Set f&inish"),
                 "Shift+G",
                 "finish-flag",
-                tr("Put the finish flag on the line"),
+                self.tr("Put the finish flag on the line"),
                 "Track",
             ),
             self._row(
                 "cut",
-                tr("&Cut the final climb"),
+                self.tr("&Cut the final climb"),
                 "Shift+X",
                 "cut",
-                tr("Cut the line where it climbs for good, so that it ends at its lowest point"),
+                self.tr("Cut the line where it climbs for good, so that it ends at its lowest point"),
                 "Track",
             ),
             self._row(
                 "calibrate",
-                tr("Add control &points"),
+                self.tr("Add control &points"),
                 "K",
                 "calibrate",
-                tr("Click a place whose position is known, or drag a control point"),
+                self.tr("Click a place whose position is known, or drag a control point"),
             ),
             self._row(
                 "known_distance",
-                tr("Give a &known distance"),
+                self.tr("Give a &known distance"),
                 "Shift+K",
                 "distance",
-                tr("Click both ends of a distance that is known, and type its length"),
+                self.tr("Click both ends of a distance that is known, and type its length"),
             ),
             self._row(
-                "measure", tr("&Measure"), "M", "measure", tr("Measure distances and angles in the plan"), "View"
+                "measure",
+                self.tr("&Measure"),
+                "M",
+                "measure",
+                self.tr("Measure distances and angles in the plan"),
+                "View",
             ),
         )
 
