@@ -26,6 +26,7 @@ from bobdesk.ui.settings import Settings
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
+from bobdesk.ui.strips.strip_stack import StripStack
 from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
@@ -66,7 +67,8 @@ class MainWindow(QMainWindow):
         self.steps_bar = StepsBar(self.desk, self)
         self.status = StatusBar(self.desk, self)
         self.start = Start(self.desk, self.documents, self.plans, self)
-        self.panels = WindowPanels(self.desk, self.view, self.plans, self)
+        self.strips = StripStack(self.desk, self)
+        self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self._stack = QStackedWidget(self)
         self._stack.addWidget(self.start.page)
         self._stack.addWidget(self.view)

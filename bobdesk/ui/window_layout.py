@@ -15,9 +15,10 @@ if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
 
 # Another number after docks or bars were added or taken away: what was remembered of the old ones is dropped.
-_STATE = 1
+_STATE = 2
 _FIRST_SIZE = QSize(1440, 900)
 _PANEL_WIDTH = 430
+_STRIPS_HEIGHT = 300
 _LONGEST_LABEL = 34
 
 
@@ -46,11 +47,17 @@ class WindowLayout:
         self.panel_dock.setObjectName("panel_dock")
         self.panel_dock.setWidget(window.panels.stack)
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.panel_dock)
+        self.strips_dock = QDockWidget(window.tr("Strips by station"), window)
+        self.strips_dock.setObjectName("strips_dock")
+        self.strips_dock.setWidget(window.strips)
+        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.strips_dock)
         self._at_first: QByteArray | None = None
         window.resize(self._first_size())
-        window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
+        self._size_docks()
         window.actions_by_name.menu_of("Window").addSeparator()
-        for toggle in (self.panel_dock.toggleViewAction(), self._tools.toggleViewAction()):
+        docks = (self.panel_dock, self.strips_dock)
+        for toggle in (*(dock.toggleViewAction() for dock in docks), self._tools.toggleViewAction()):
             window.actions_by_name.menu_of("Window").addAction(toggle)
 
     def restore(self) -> None:
@@ -75,13 +82,14 @@ class WindowLayout:
         self._window.resize(self._first_size())
         if self._at_first is not None:
             self._window.restoreState(self._at_first, _STATE)
-        self._window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
+        self._size_docks()
 
     def show_document(self, is_open: bool) -> None:
         """Show docks and bars with a document, and none of them on the start page."""
         self._top.setVisible(is_open)
         self._tools.setVisible(is_open)
         self.panel_dock.setVisible(is_open)
+        self.strips_dock.setVisible(is_open)
 
     def name_undo(self, undo: str | None, redo: str | None) -> None:
         """Write on actions and buttons what would be taken back or done again."""
@@ -94,16 +102,20 @@ class WindowLayout:
             self._window.actions_by_name[name].setIconText(_short(words.replace("&", "")))
 
     def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
-        """Move the focus from steps to tools, plan and panel, and round again."""
+        """Move the focus from steps to tools, plan, strips and panel, and round again."""
         focus = QApplication.focusWidget()
-        parts: list[QWidget] = [steps, self._tools, view, panel]
+        parts: list[QWidget] = [steps, self._tools, view, self._window.strips, panel]
         at = next((index for index, part in enumerate(parts) if focus and part.isAncestorOf(focus)), None)
-        if focus is view:
-            at = 2
+        if focus in (view, self._window.strips):
+            at = parts.index(focus)
         for offset in range(1, len(parts) + 1):
             part = parts[((-1 if at is None else at) + offset) % len(parts)]
             if part.isVisible() and _focus_into(part, steps):
                 return
+
+    def _size_docks(self) -> None:
+        self._window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
+        self._window.resizeDocks([self.strips_dock], [_STRIPS_HEIGHT], Qt.Orientation.Vertical)
 
     def _undo_button(self, name: str) -> QToolButton:
         button = QToolButton(self._window)

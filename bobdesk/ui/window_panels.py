@@ -11,6 +11,7 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.panels.centreline_panel import CentrelinePanel
 from bobdesk.ui.panels.plan_panel import PlanPanel
 from bobdesk.ui.panels.scale_panel import ScalePanel
+from bobdesk.ui.panels.segments_panel import ActionsByName, SegmentsPanel
 from bobdesk.ui.plan_view.view import PlanView
 from bobdesk.ui.plans import Plans
 
@@ -21,8 +22,11 @@ _TOOLS = {"flags": "set_start", "auto trace": "auto_trace", "live wire": "live_w
 class WindowPanels:
     """A stack of panels, and the wires between them and the plan view."""
 
-    def __init__(self, desk: Desk, view: PlanView, plans: Plans, window: QWidget) -> None:
+    def __init__(
+        self, desk: Desk, view: PlanView, plans: Plans, actions: Callable[[], ActionsByName], window: QWidget
+    ) -> None:
         self._desk = desk
+        self._actions = actions
         self._view = view
         self._plans = plans
         self.stack = QStackedWidget(window)
@@ -33,6 +37,7 @@ class WindowPanels:
             "Plan": self._plan,
             "Scale": self._scale,
             "Centreline": self._centreline,
+            "Segments": self._segments,
         }
 
     def show_step(self, step: StepName) -> None:
@@ -42,6 +47,7 @@ class WindowPanels:
             self._shown[step] = panel
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
+        self._view.show_step(step)
 
     def _take_tool(self, name: str) -> None:
         """Take the tool that a panel asks for, and give the plan the keyboard."""
@@ -66,3 +72,6 @@ class WindowPanels:
         panel.place_wanted.connect(self._view.show_place)
         panel.tool_wanted.connect(self._take_tool)
         return panel
+
+    def _segments(self) -> QWidget:
+        return SegmentsPanel(self._desk, self._actions(), self.stack)

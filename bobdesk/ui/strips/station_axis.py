@@ -113,4 +113,5 @@ def ticks(low: float, high: float, most: int) -> tuple[FloatArray, int]:
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(size * power for size in (1, 2, 5, 10) if size * power >= rough * (1 - 1e-9))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
-    return np.arange(first, last + 1) * step, max(0, -math.floor(math.log10(step) + 1e-9))
+    found: FloatArray = np.arange(first, last + 1) * step
+    return found, max(0, -math.floor(math.log10(step) + 1e-9))
