@@ -48,13 +48,13 @@ class SegmentActions(QObject):
     def _by_hand(self) -> tuple[Action, ...]:
         do, tr = self._operations, self.tr
         return (
-            self._row("split_segment", tr("&Split at the cursor"), do.split, ("X",), "split",
+            self._row("split_segment", tr("&Split"), do.split, ("X",), "split",
                       tr("Cut the segment at the cursor in two: a new boundary"), "hand"),
             self._row("merge_segments", tr("&Merge"), do.merge, ("C",), "merge",
                       tr("Make one of the selected segments, or of this one and its nearer neighbour"), "hand"),
             self._row("flip_kind", tr("&Flip kind"), do.flip, ("O",), "flip",
                       tr("Turn a straight into a curve, or a curve into a straight"), "hand"),
-            self._row("lock_segment", tr("&Lock or unlock"), do.lock, ("L",), "lock",
+            self._row("lock_segment", tr("&Lock"), do.lock, ("L",), "lock",
                       tr("Keep a segment as it is, whatever is detected or edited, or let it go"), "hand"),
             self._row("delete_boundary", tr("&Delete boundary"), do.delete_boundary, ("Shift+Del",), "delete",
                       tr("Take the selected boundary away; both its segments become one"), "hand"),

@@ -15,6 +15,7 @@ from bobdesk.ui.derived import DerivedLater, line_inputs
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.gain_picture import GainPicture
 from bobdesk.ui.segments.operations import operations
+from bobdesk.ui.widgets.fold import Fold
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin, WholeSpin
@@ -31,15 +32,6 @@ class AutomaticPart(Part):
         self._now = alignment_now(self.desk)
         self._operations = operations(self.desk)
         form = panel.add_form(self.column)
-        self.rule = QComboBox(self)
-        self.rule.addItem(self.tr("recommended"), "recommended")
-        self.rule.addItem(self.tr("as published"), "published")
-        self.rule.activated.connect(self._on_rule)
-        panel.add_field(
-            form, self.tr("Rule"), self.rule,
-            self.tr("Recommended: the best labels for the fitted curvature. As published: finite differences below"
-                    " a threshold"),
-        )  # fmt: skip
         self.threshold, self.threshold_auto = self._add_threshold(form)
         self.count = WholeSpin(self.tr("Wanted number"), self)
         self.count.setRange(0, 999)
@@ -55,24 +47,37 @@ class AutomaticPart(Part):
         panel.add_field(
             form, self.tr("Shortest segment"), self.shortest, self.tr("No segment becomes shorter than this")
         )
+        self._form = form
+        self.gain = GainPicture(self.desk.quantities, self)
+        self.gain.count_chosen.connect(lambda count: self._operations.change_settings(count=count))
+        self.column.addWidget(self.gain)
+        self.fold = Fold(self.tr("More settings"), self)
+        self.column.addWidget(self.fold)
+        more = panel.add_form(self.fold.column)
+        self.rule = QComboBox(self)
+        self.rule.addItem(self.tr("recommended"), "recommended")
+        self.rule.addItem(self.tr("as published"), "published")
+        self.rule.activated.connect(self._on_rule)
+        panel.add_field(
+            more, self.tr("Rule"), self.rule,
+            self.tr("Recommended: the best labels for the fitted curvature. As published: finite differences below"
+                    " a threshold"),
+        )  # fmt: skip
         self.cost = Spin(self.tr("Cost of a change"), self)
         self.cost.setDecimals(1)
         self.cost.valueChanged.connect(self._on_cost)
         panel.add_field(
-            form, self.tr("Cost of a change"), self.cost,
+            more, self.tr("Cost of a change"), self.cost,
             self.tr("What a change between left, straight and right must gain; larger means fewer segments"),
         )  # fmt: skip
         self.smoothing = Spin(self.tr("Smoothing of the line"), self)
         self.smoothing.setDecimals(1)
         self.smoothing.valueChanged.connect(self._on_smoothing)
         panel.add_field(
-            form, self.tr("Smoothing of the line"), self.smoothing,
+            more, self.tr("Smoothing of the line"), self.smoothing,
             self.tr("Waves that are shorter are taken for noise; the same setting as in step 3"),
         )  # fmt: skip
-        self._form = form
-        self.gain = GainPicture(self.desk.quantities, self)
-        self.gain.count_chosen.connect(lambda count: self._operations.change_settings(count=count))
-        self.column.addWidget(self.gain)
+        self._more = more
         self._gains = DerivedLater(self.desk, self.tr("Comparing numbers of segments"), _gains, _gain_inputs, self)
         self._gains.changed.connect(self._show_gain)
         self._now.changed.connect(self.refresh)
@@ -103,8 +108,8 @@ class AutomaticPart(Part):
             spin.show_range(0.0, most * factor)
             spin.show_value(value * factor)
         is_recommended = settings.rule == "recommended"
-        for field in (self.count, self.shortest, self.cost):
-            self._form.setRowVisible(field, is_recommended)
+        for form, field in ((self._form, self.count), (self._form, self.shortest), (self._more, self.cost)):
+            form.setRowVisible(field, is_recommended)
         self.gain.setVisible(is_recommended)
         self.shortest.setEnabled(settings.count is None)
         self.cost.setEnabled(settings.count is None)

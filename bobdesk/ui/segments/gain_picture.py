@@ -53,7 +53,7 @@ class GainPicture(QWidget):
 
     def sizeHint(self) -> QSize:
         """Return a size at which the bend of the curve is seen."""
-        return QSize(260, 104)
+        return QSize(260, 92)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the curve, the number in force and the one under the mouse."""
@@ -120,7 +120,7 @@ class GainPicture(QWidget):
         else:
             super().keyPressEvent(event)
 
-    def leaveEvent(self, _event: object) -> None:  # type: ignore[override]
+    def leaveEvent(self, _event: object) -> None:
         """Look at no number."""
         self._hover(None)
 

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QToolButton
-
 from bobdesk.alignment.boundary_comparison import BoundaryComparison, boundaries_of, compare_boundaries
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments
@@ -14,8 +11,8 @@ from bobdesk.project import derive
 from bobdesk.project.project import Project
 from bobdesk.ui.newest import Newest
 from bobdesk.ui.segments.alignment_now import alignment_now
-from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.widgets.facts import Facts
+from bobdesk.ui.widgets.fold import Fold
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 
@@ -37,37 +34,26 @@ class RulesPart(Part):
         self.heading.hide()
         self._now = alignment_now(self.desk)
         self._line: object = None
-        self.toggle = QToolButton(self)
-        self.toggle.setText(self.tr("Recommended and published rule side by side"))
-        self.toggle.setToolTip(self.tr("How many segments each rule finds, and which boundaries they agree on"))
-        self.toggle.setAccessibleName(self.toggle.text())
-        self.toggle.setCheckable(True)
-        self.toggle.setAutoRaise(True)
-        self.toggle.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self.toggle.setArrowType(Qt.ArrowType.RightArrow)
-        self.toggle.toggled.connect(self._on_toggled)
-        self.column.addWidget(self.toggle)
-        self.facts: Facts = panel.add_facts(self.column)
+        self.fold = Fold(self.tr("Recommended and published rule side by side"), self)
+        self.fold.toggled.connect(self._on_toggled)
+        self.column.addWidget(self.fold)
+        self.facts: Facts = panel.add_facts(self.fold.column)
         self.found = self.facts.add(self.tr("Found"))
         self.agree = self.facts.add(self.tr("Boundaries that agree"))
         self.apart = self.facts.add(self.tr("Of one rule alone"))
         self.score = self.facts.add(self.tr("F1 of the boundaries"))
-        self.facts.hide()
         self._newest = Newest(self.desk.runner, self.tr("Comparing both rules"), self)
         self._newest.answered.connect(self._show)
         self._newest.failed.connect(self._on_failed)
-        operations(self.desk)
         self._now.changed.connect(self._on_now)
 
-    def _on_toggled(self, on: bool) -> None:
-        self.toggle.setArrowType(Qt.ArrowType.DownArrow if on else Qt.ArrowType.RightArrow)
-        self.facts.setVisible(on)
+    def _on_toggled(self, _on: bool) -> None:
         self._line = None
         self._on_now()
 
     def _on_now(self) -> None:
         value = self._now.known
-        if not self.toggle.isChecked() or value is None or self._now.is_preview:
+        if not self.fold.is_open or value is None or self._now.is_preview:
             return
         wanted = (value.line, self.desk.session.project.segmentation)
         if self._line != wanted:
