@@ -21,7 +21,7 @@ from bobdesk.files.pictures import read_picture
 from bobdesk.plan import calibration as calibrations
 from bobdesk.plan.calibration import Calibration
 from bobdesk.plan.calibration_fit import fit_calibration
-from bobdesk.plan.calibration_sentences import calibration_sentences
+from bobdesk.plan.calibration_sentences import calibration_sentences, misfit_sentence
 from bobdesk.plan.image import PlanImage
 from bobdesk.plan.qgis_points import parse_qgis_points
 from bobdesk.plan.trace import TraceSettings, propose_loops, trace_line
@@ -30,6 +30,8 @@ from bobdesk.plan.traced_line import Trace
 # An end of the line is clicked to about this, 1 sigma, pixels.
 _END_SIGMA_PX = 1.0
 _SHORTEST_PX = 10.0
+# From electron microscopes to planets, metres per pixel.
+_SCALES = (1e-6, 1e6)
 _NO_LINE = 0.15
 
 
@@ -101,7 +103,10 @@ def command(
     clicks = np.array([_pixel(text) for text in (start, *via, end)])
     check_outputs([output, report], inputs=[picture, points])
     image = read_picture(picture, page=page, dpi=dpi)
-    for note in image.notes:
+    notes = list(image.notes)
+    if image.world is not None and (scale is not None or points is not None or unknown_scale):
+        notes.append("the picture's own scale, from a world file or its tags, was not used: another one was given")
+    for note in notes:
         click.echo(f"note: {picture}: {note}", err=True)
     calibration = _calibration(picture, image, scale, points, unknown=unknown_scale)
 
@@ -130,6 +135,7 @@ def command(
                     "line_width_px": trace.line_width_px,
                     "kind": trace.kind,
                     "warnings": list(trace.warnings),
+                    "notes": notes,
                 }
             ),
         )
@@ -187,14 +193,19 @@ def _calibration(
     if unknown:
         return calibrations.unknown_scale()
     if scale is not None:
-        if not 0 < scale < math.inf:
-            raise click.UsageError(f"--scale must be more than 0 metres per pixel, not {scale:g}")
+        if not _SCALES[0] <= scale <= _SCALES[1]:
+            raise click.UsageError(
+                f"--scale must be between {_SCALES[0]:g} and {_SCALES[1]:g} metres per pixel, not {scale:g}"
+            )
         return calibrations.calibration_from_scale(scale)
     if points is not None:
         known = parse_qgis_points(decode_text(read_bytes(points), name=str(points)), name=str(points))
         fit = fit_calibration(known.points)
         for sentence in calibration_sentences(fit, plan_length_m=None):
             click.echo(f"note: {sentence}", err=True)
+        misfit = misfit_sentence(fit, known.points)
+        if misfit is not None:
+            click.echo(f"warning: {misfit}", err=True)
         return fit.calibration
     if image.world is not None:
         return calibrations.calibration_from_world(image.world, name=str(picture))

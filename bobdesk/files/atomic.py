@@ -78,9 +78,12 @@ def resolved(path: Path) -> Path:
         If it leads nowhere, in a circle.
     """
     try:
-        return path.resolve()
-    except RuntimeError:  # what Python before 3.13 raises
-        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP)) from None
+        place = path.resolve()
+    except RuntimeError:  # what Python before 3.13 raises; later ones return the link itself
+        place = path
+    if place.is_symlink():
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP))
+    return place
 
 
 def _check_writable(path: Path) -> None:

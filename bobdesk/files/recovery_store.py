@@ -188,7 +188,7 @@ def _read(folder: Path) -> _State:
         if place.stat().st_size > _LARGEST_STATE:
             raise InputError("it is larger than a project may be")
         state = msgspec.json.decode(place.read_bytes(), type=_State)
-    except (msgspec.MsgspecError, RecursionError):
+    except (msgspec.MsgspecError, RecursionError, ValueError):  # bytes that are no text are a ValueError
         raise InputError("it is damaged") from None
     except OSError as error:
         raise InputError(f"it cannot be read: {reason(error)}") from error

@@ -11,7 +11,7 @@ from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError, TargetError
 from bobdesk.files.plugins import Plugins, find_plugins
 from bobdesk.solve.iterates import Iterate, Run, Solution
-from bobdesk.solve.run import METHODS, SolverMethod, method_named, solve
+from bobdesk.solve.run import METHODS, SolverMethod, solve
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import Targets
 
@@ -34,12 +34,15 @@ def solve_with_plugins(centreline: Centreline, segments: Segments, targets: Targ
     InputError
         Besides what `solve` raises: if a plug-in fails, or ends in something that is no solution.
     """
-    methods = solver_methods().formats
-    chosen = method_named(settings.method, methods)
-    if chosen in METHODS:
-        return solve(centreline, segments, targets, settings)
-    watched = tuple(replace(method, solve=_Watched(method)) if method is chosen else method for method in methods)
-    return solve(centreline, segments, targets, settings, methods=watched)
+    return solve(centreline, segments, targets, settings, methods=watched_methods())
+
+
+def watched_methods() -> tuple[SolverMethod, ...]:
+    """Return the methods of this program and of its plug-ins, the latter under watch."""
+    return tuple(
+        method if method in METHODS else replace(method, solve=_Watched(method), solve_from=None)
+        for method in solver_methods().formats
+    )
 
 
 class _Watched:

@@ -3,13 +3,21 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+
+import numpy as np
 
 from bobdesk.plan.affine_check import AffineCheck
 from bobdesk.plan.calibration import Calibration, DistanceCheck, plan_length_sigma
 from bobdesk.plan.calibration_fit import CalibrationFit
+from bobdesk.plan.control_points import ControlPoint
 
 NO_ESTIMATE = "no error estimate possible"
 _PROBABLE = 0.05
+# Below this, percent, a scatter is that of rounding.
+_EXACT_PERCENT = 1e-6
+# Residuals over this share of the points' extent come from wrong points, not from clicking.
+_WRONG_SHARE = 0.05
 
 
 def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = None) -> tuple[str, ...]:
@@ -41,6 +49,20 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
     return tuple(sentences)
 
 
+def misfit_sentence(fit: CalibrationFit, points: Sequence[ControlPoint]) -> str | None:
+    """Return a warning where the residuals are so large that a point must be wrong, else None."""
+    metres = np.array([(point.x_m, point.y_m) for point in points if point.used])
+    if fit.rms_m is None or len(metres) == 0:
+        return None
+    extent = float(np.hypot(*np.ptp(metres, axis=0)))
+    if fit.rms_m <= _WRONG_SHARE * extent:
+        return None
+    return (
+        f"The control points do not fit together: their residuals are {100 * fit.rms_m / extent:.0f} % of their "
+        "extent, so a point is wrong and the scale cannot be trusted."
+    )
+
+
 def affine_sentence(check: AffineCheck) -> str:
     """Return what `check` says about stretch and shear."""
     stretch = 100 * (check.scale_ratio - 1)
@@ -69,6 +91,8 @@ def _scale(calibration: Calibration) -> str:
     if calibration.scale_sigma is None:
         return f"{calibration.metres_per_pixel:.5g} m per pixel"
     percent = 100 * calibration.scale_sigma / calibration.metres_per_pixel
+    if percent < _EXACT_PERCENT:
+        return f"{calibration.metres_per_pixel:.6g} m per pixel, exact"
     return f"{calibration.metres_per_pixel:.6g} m per pixel ± {percent:.2g} % (1 sigma)"
 
 

@@ -14,6 +14,8 @@ from bobdesk.plan.refine import Refined
 
 # A line that ends less than this before the click ends at the click, pixels.
 _SAME_END = 1.5
+# The outermost pixels reach this far beyond their centres.
+_EDGE = 0.5
 
 
 def checked_clicks(pixels: Pixels, clicks: npt.ArrayLike) -> FloatArray:
@@ -25,8 +27,8 @@ def checked_clicks(pixels: Pixels, clicks: npt.ArrayLike) -> FloatArray:
     for x, y in points:
         if not (np.isfinite(x) and np.isfinite(y)):
             raise InputError("A point of the line is not a number.")
-        if not (-1 <= x <= width and -1 <= y <= height):
-            raise InputError(f"The point {x:.0f},{y:.0f} lies outside the picture of {width} x {height} pixels.")
+        if not (-_EDGE <= x <= width - 1 + _EDGE and -_EDGE <= y <= height - 1 + _EDGE):
+            raise InputError(f"The point {x:g},{y:g} lies outside the picture of {width} x {height} pixels.")
     steps = np.diff(points, axis=0)
     for index in np.flatnonzero(np.hypot(steps[:, 0], steps[:, 1]) < 1.0):
         x, y = points[index]

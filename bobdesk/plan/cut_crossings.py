@@ -18,7 +18,7 @@ from bobdesk.plan.polyline_geometry import turns
 from bobdesk.plan.raster import Float32Array
 
 # The way turns by this somewhere at a crossing where it was cut, over some 14 pixels, degrees.
-LEAST_KINK = 24.0
+_LEAST_KINK = 24.0
 # Radii of the circle on which arms are counted, in widths of the line and pixels: at a flat crossing, or
 # with a broad stroke, arms part far out only.
 _RADII = ((0.8, 5.0), (1.4, 9.0), (2.2, 14.0), (3.4, 22.0))
@@ -26,7 +26,8 @@ _INK = 0.4
 # From the circle to a second one, to see where an arm is heading, pixels.
 _OUT = 8.0
 _ARM = 10
-_EVERY = 2
+# Distance of the centres that are looked at, pixels, and shares of the radius.
+_EVERY, _SPREAD = 2, 0.2
 _CHUNK = 60_000
 _FEWEST_ARMS, _MOST_ARMS = 3, 8
 # Within the circle the way turns by more than this, and a line through it by at most so much more than the way:
@@ -81,12 +82,15 @@ def cut_crossings(
     """
     found: list[CutCrossing] = []
     radii = [widths * width + pixels for widths, pixels in _RADII]
-    kinks = np.flatnonzero(turns_along(way) >= LEAST_KINK)
-    centres, middles = _corners(way, kinks, radii=radii)
+    kinks = np.flatnonzero(turns_along(way) >= _LEAST_KINK)
+    centres = _corners(way, kinks, radii=radii)
+    nearest = cKDTree(way)
+    middles = np.asarray(nearest.query(centres)[1], dtype=np.int64)
     for index, radius in enumerate(radii):
         yield index / len(radii)
         firsts, lasts = _passings(way, centres, middles, radius=radius)
         turning = np.flatnonzero(_turning(way, firsts, lasts, kinks))
+        turning = turning[_spread(centres[turning], apart=_SPREAD * radius)]
         count = max(24, round(2 * np.pi * radius))
         rows = max(1, _CHUNK // count)
         for begin in range(0, len(turning), rows):
@@ -98,7 +102,7 @@ def cut_crossings(
                 place = part[one]
                 circle = _Circle(centres[place], radius, int(firsts[place]), int(lasts[place]))
                 cut = _cut_at(way, circle, inner[one], outer[one], width=width)
-                if cut is not None and _untouched(way, cut, width=width):
+                if cut is not None and _untouched(nearest, cut, width=width):
                     found.append(cut)
             yield (index + begin / len(turning)) / len(radii)
     return _one_each(found)
@@ -116,8 +120,8 @@ def turns_along(way: FloatArray) -> FloatArray:
     return result
 
 
-def _corners(way: FloatArray, kinks: IntArray, *, radii: list[float]) -> tuple[FloatArray, IntArray]:
-    """Return centres (k, 2) of circles about where the way turns, and the points of the way (k,) next to them.
+def _corners(way: FloatArray, kinks: IntArray, *, radii: list[float]) -> FloatArray:
+    """Return centres (k, 2) of circles about where the way turns.
 
     They are points of the way, and the corners that it rounds off.
     """
@@ -131,10 +135,12 @@ def _corners(way: FloatArray, kinks: IntArray, *, radii: list[float]) -> tuple[F
         there = _intersections(way, firsts[turning], lasts[turning])
         corners.append(there[np.hypot(*(there - way[points[turning]]).T) < 3.0 * radius])
     places = np.concatenate(corners)
-    _, once = np.unique(np.round(places / _EVERY), axis=0, return_index=True)
-    places = places[once]
-    nearest = cKDTree(way).query(places)[1].astype(np.int64)
-    return np.concatenate([way[points[sharp]], places]), np.concatenate([points[sharp], nearest])
+    return np.concatenate([way[points[sharp]], places[_spread(places, apart=_EVERY)]])
+
+
+def _spread(places: FloatArray, *, apart: float) -> IntArray:
+    """Return the indices of one place (n, 2) in each square of `apart` pixels."""
+    return np.asarray(np.unique(np.round(places / apart), axis=0, return_index=True)[1], dtype=np.int64)
 
 
 def _passings(way: FloatArray, centres: FloatArray, middles: IntArray, *, radius: float) -> tuple[IntArray, IntArray]:
@@ -243,10 +249,9 @@ def _bend(coming: FloatArray, across: FloatArray, going: FloatArray) -> tuple[Fl
     return np.where(uneven < _UNEVEN, np.abs(one + two), np.inf), uneven
 
 
-def _untouched(way: FloatArray, cut: CutCrossing, *, width: float) -> bool:
+def _untouched(way: cKDTree, cut: CutCrossing, *, width: float) -> bool:
     """Whether the way uses neither arm: at a crossing that it passes twice it does."""
-    near = max(3.0, 0.5 * width)
-    return all(float(np.hypot(*(way - arm).T).min()) > near for arm in (cut.ahead, cut.behind))
+    return bool(np.all(way.query(np.array([cut.ahead, cut.behind]))[0] > max(3.0, 0.5 * width)))
 
 
 def _one_each(found: list[CutCrossing]) -> tuple[CutCrossing, ...]:

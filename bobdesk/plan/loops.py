@@ -22,8 +22,8 @@ from bobdesk.plan.rough_way import RoughWay
 from bobdesk.plan.stages import at_fraction
 
 # A picture with more is too full for a proposal.
-_MOST_LOOPS = 8
-_MOST_TRIES = 12
+_MOST_LOOPS = 6
+_MOST_TRIES = 8
 _INK = 0.3
 # The share of a loop that shows ink, and that is not the way that was found before; its length, in widths
 # and pixels.

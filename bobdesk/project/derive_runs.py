@@ -5,8 +5,11 @@ Whatever needs scipy is imported where it is called: the window shows a project 
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from bobdesk.plan.projection import Georeference
 from bobdesk.project import derive
@@ -22,6 +25,7 @@ from bobdesk.track.figures import Deviations, deviations
 
 if TYPE_CHECKING:
     from bobdesk.alignment.centreline import Centreline
+    from bobdesk.solve.profile import Profile
     from bobdesk.track.centreline3d import Centreline3D
 
 _SAME_SCALE = 1e-12
@@ -97,11 +101,32 @@ def run_solution(run: Run) -> Solution:
 
 
 @lru_cache(maxsize=16)
-def run_line(run: Run) -> Centreline3D:
-    """Return a run's 3D line, in true size."""
+def run_line(run: Run, spacing: float | None = None) -> Centreline3D:
+    """Return a run's 3D line, in true size.
+
+    Parameters
+    ----------
+    spacing
+        Of the rows in plan, m; None for the rows that were solved for. Known elevations keep their rows.
+    """
     from bobdesk.track.centreline3d import make_centreline3d
 
-    return make_centreline3d(run_centreline(run), run.inputs.segments, run_solution(run))
+    solution = run_solution(run)
+    line = run_centreline(run)
+    if spacing is not None:
+        solution = replace(solution, profile=_spaced(run, line, solution.profile, spacing / run.scale))
+    return make_centreline3d(line, run.inputs.segments, solution)
+
+
+def _spaced(run: Run, line: Centreline, profile: Profile, spacing: float) -> Profile:
+    """Return a profile with rows at another distance: the same pieces, so that its falls stay exact."""
+    from bobdesk.alignment.centreline import at_stations
+    from bobdesk.solve.profile import row_stations
+
+    breaks = run.layout.edges[1:-1][run.layout.held].tolist()
+    stations = row_stations(line.length, spacing, breaks)
+    bends = np.interp(stations, profile.stations, profile.curvature)
+    return replace(profile, stations=stations, points=at_stations(line, stations), curvature=bends)
 
 
 def run_georeference(project: Project, run: Run) -> Georeference | None:

@@ -22,7 +22,7 @@ def fault_sentence(kind: type[BaseException], value: BaseException | None) -> st
 
 def report(trace: str) -> str:
     """Return what "Copy report" copies."""
-    return f"{versions()}\n\n{trace.strip()}\n"
+    return f"{trace.strip()}\n\n{versions()}\n"
 
 
 def without_home(text: str) -> str:

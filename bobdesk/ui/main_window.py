@@ -26,7 +26,6 @@ from bobdesk.ui.settings import Settings
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
-from bobdesk.ui.strips.strip_stack import StripStack
 from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
@@ -67,7 +66,6 @@ class MainWindow(QMainWindow):
         self.steps_bar = StepsBar(self.desk, self)
         self.status = StatusBar(self.desk, self)
         self.start = Start(self.desk, self.documents, self.plans, self)
-        self.strips = StripStack(self.desk, self)
         self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self._stack = QStackedWidget(self)
         self._stack.addWidget(self.start.page)
@@ -85,6 +83,7 @@ class MainWindow(QMainWindow):
         self.steps_bar.show_step(step)
         self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()
+        self.layout_of_window.show_strips(step)
 
     def open_file(self, path: Path) -> None:
         """Open a file of any kind that BobDesk knows."""

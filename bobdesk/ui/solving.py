@@ -44,6 +44,7 @@ class _Control:
 
 def _pulled(control: _Control) -> Generator[int, None, Run]:
     """Solve, and yield the number of iterates every few milliseconds; after each one in single steps."""
+    from bobdesk.files.solvers import watched_methods
     from bobdesk.project import derive
     from bobdesk.project.new_run import new_run
 
@@ -51,7 +52,12 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
     control.inputs = derive.run_inputs(project).needed()
     control.line = derive.centreline(project).needed()
     job = new_run(
-        project, name=control.name, clock=time.perf_counter, record=control.record, enough=control.enough.is_set
+        project,
+        name=control.name,
+        clock=time.perf_counter,
+        record=control.record,
+        enough=control.enough.is_set,
+        methods=watched_methods(),
     )
     due = 0.0
     try:

@@ -11,7 +11,7 @@ from bobdesk.ui.actions.file_actions import FileActions
 from bobdesk.ui.actions.help_actions import HelpActions
 from bobdesk.ui.actions.line_actions import LineActions
 from bobdesk.ui.actions.scale_actions import ScaleActions
-from bobdesk.ui.actions.segment_actions import OF_SEGMENTS, SegmentActions
+from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
@@ -49,5 +49,4 @@ def make_actions(window: MainWindow) -> ActionSet:
     for name, title in titles:
         made.add_menu(window.menuBar(), name, title)
     view.context_menu_maker = lambda: made.context_menu(view)
-    window.strips.set_segment_actions([made[name] for name in OF_SEGMENTS])
     return made

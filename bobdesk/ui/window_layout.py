@@ -8,6 +8,7 @@ from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QDockWidget, QSizePolicy, QToolBar, QToolButton, QWidget
 
+from bobdesk.project.steps import StepName
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.steps_bar import StepsBar
 
@@ -18,8 +19,9 @@ if TYPE_CHECKING:
 _STATE = 2
 _FIRST_SIZE = QSize(1440, 900)
 _PANEL_WIDTH = 430
-_STRIPS_HEIGHT = 300
 _LONGEST_LABEL = 34
+_STRIPS_HEIGHT = 330
+_STEPS_BY_STATION: tuple[StepName, ...] = ("Segments", "Solve", "Export")
 
 
 class WindowLayout:
@@ -49,15 +51,19 @@ class WindowLayout:
         window.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.panel_dock)
         self.strips_dock = QDockWidget(window.tr("Strips by station"), window)
         self.strips_dock.setObjectName("strips_dock")
-        self.strips_dock.setWidget(window.strips)
-        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
         window.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self.strips_dock)
+        window.setCorner(Qt.Corner.BottomRightCorner, Qt.DockWidgetArea.RightDockWidgetArea)
+        self._strips_wanted = True
+        self.strips_dock.toggleViewAction().triggered.connect(self._on_strips_toggled)
         self._at_first: QByteArray | None = None
         window.resize(self._first_size())
-        self._size_docks()
+        window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
         window.actions_by_name.menu_of("Window").addSeparator()
-        docks = (self.panel_dock, self.strips_dock)
-        for toggle in (*(dock.toggleViewAction() for dock in docks), self._tools.toggleViewAction()):
+        for toggle in (
+            self.panel_dock.toggleViewAction(),
+            self.strips_dock.toggleViewAction(),
+            self._tools.toggleViewAction(),
+        ):
             window.actions_by_name.menu_of("Window").addAction(toggle)
 
     def restore(self) -> None:
@@ -82,14 +88,30 @@ class WindowLayout:
         self._window.resize(self._first_size())
         if self._at_first is not None:
             self._window.restoreState(self._at_first, _STATE)
-        self._size_docks()
+        self._window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
 
     def show_document(self, is_open: bool) -> None:
         """Show docks and bars with a document, and none of them on the start page."""
         self._top.setVisible(is_open)
         self._tools.setVisible(is_open)
         self.panel_dock.setVisible(is_open)
-        self.strips_dock.setVisible(is_open)
+        if not is_open:
+            self.strips_dock.hide()
+
+    def show_strips(self, step: StepName) -> None:
+        """Show the strips with the steps that work by station, unless the user has put them away."""
+        wanted = step in _STEPS_BY_STATION and self._strips_wanted
+        if wanted and self.strips_dock.widget() is None:
+            self.strips_dock.setWidget(self._window.panels.strips())
+        if wanted != self.strips_dock.isVisible():
+            self.strips_dock.setVisible(wanted)
+            if wanted:
+                self._window.resizeDocks([self.strips_dock], [_STRIPS_HEIGHT], Qt.Orientation.Vertical)
+
+    def _on_strips_toggled(self, shown: bool) -> None:
+        self._strips_wanted = shown
+        if shown and self.strips_dock.widget() is None:
+            self.strips_dock.setWidget(self._window.panels.strips())
 
     def name_undo(self, undo: str | None, redo: str | None) -> None:
         """Write on actions and buttons what would be taken back or done again."""
@@ -104,18 +126,15 @@ class WindowLayout:
     def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
         """Move the focus from steps to tools, plan, strips and panel, and round again."""
         focus = QApplication.focusWidget()
-        parts: list[QWidget] = [steps, self._tools, view, self._window.strips, panel]
+        strips = self.strips_dock.widget()
+        parts: list[QWidget] = [steps, self._tools, view, *([] if strips is None else [strips]), panel]
         at = next((index for index, part in enumerate(parts) if focus and part.isAncestorOf(focus)), None)
-        if focus in (view, self._window.strips):
+        if focus in parts:
             at = parts.index(focus)
         for offset in range(1, len(parts) + 1):
             part = parts[((-1 if at is None else at) + offset) % len(parts)]
             if part.isVisible() and _focus_into(part, steps):
                 return
-
-    def _size_docks(self) -> None:
-        self._window.resizeDocks([self.panel_dock], [_PANEL_WIDTH], Qt.Orientation.Horizontal)
-        self._window.resizeDocks([self.strips_dock], [_STRIPS_HEIGHT], Qt.Orientation.Vertical)
 
     def _undo_button(self, name: str) -> QToolButton:
         button = QToolButton(self._window)

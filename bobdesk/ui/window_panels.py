@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from bobdesk.project.steps import StepName
+from bobdesk.ui.actions.segment_actions import OF_SEGMENTS
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.panels.centreline_panel import CentrelinePanel
 from bobdesk.ui.panels.plan_panel import PlanPanel
@@ -38,16 +39,27 @@ class WindowPanels:
             "Scale": self._scale,
             "Centreline": self._centreline,
             "Segments": self._segments,
+            "Solve": self._solve,
         }
 
     def show_step(self, step: StepName) -> None:
-        """Show the panel of a step."""
+        """Show the panel of a step, and on the plan what it is about."""
+        self._view.show_step(step)
+        if step not in self._makers:
+            return
         if step not in self._shown:
             panel = self._makers[step]()
             self._shown[step] = panel
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
-        self._view.show_step(step)
+
+    def strips(self) -> QWidget:
+        """Return the strips by station."""
+        from bobdesk.ui.strips.strip_stack import StripStack
+
+        made = StripStack(self._desk, self.stack)
+        made.set_segment_actions([self._actions()[name] for name in OF_SEGMENTS])
+        return made
 
     def _take_tool(self, name: str) -> None:
         """Take the tool that a panel asks for, and give the plan the keyboard."""
@@ -70,8 +82,14 @@ class WindowPanels:
     def _centreline(self) -> QWidget:
         panel = CentrelinePanel(self._desk, self.stack)
         panel.place_wanted.connect(self._view.show_place)
+        panel.vertices_wanted.connect(self._view.fit_selection)
         panel.tool_wanted.connect(self._take_tool)
         return panel
 
     def _segments(self) -> QWidget:
         return SegmentsPanel(self._desk, self._actions(), self.stack)
+
+    def _solve(self) -> QWidget:
+        from bobdesk.ui.panels.solve_panel import SolvePanel
+
+        return SolvePanel(self._desk, self.stack)

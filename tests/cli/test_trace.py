@@ -123,6 +123,32 @@ def test_a_world_file_gives_the_scale(tmp_path: Path, truth: dict[str, Any]) -> 
     np.testing.assert_allclose(traced["x_m"], 0.25 * (traced["px"] - traced["px"][0]), atol=1e-3)
 
 
+def test_a_scale_that_is_given_goes_before_a_world_file_and_says_so(
+    tmp_path: Path, truth: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    picture = tmp_path / "plan.jpg"
+    picture.write_bytes((SAMPLE / "plan.jpg").read_bytes())
+    (tmp_path / "plan.jgw").write_text("0.25\n0\n0\n-0.25\n600000\n5200000\n")
+    output, report = tmp_path / "plan.csv", tmp_path / "r.json"
+    call = ["trace", str(picture), "-o", str(output), "--scale", "0.5", "--report", str(report)]
+    assert run([*call, *clicks(truth)]) == 0
+    assert "world file or its tags, was not used" in capsys.readouterr().err
+    found = json.loads(report.read_text())
+    assert found["metres_per_pixel"] == 0.5
+    assert any("was not used" in note for note in found["notes"])
+
+
+def test_control_points_that_do_not_fit_together_are_a_warning(
+    tmp_path: Path, truth: dict[str, Any], capsys: pytest.CaptureFixture[str]
+) -> None:
+    points = tmp_path / "p.points"
+    rows = ["0,0,100,-900,1", "200,0,500,-900,1", "0,200,100,-500,1", "200,500,500,-500,1"]
+    points.write_text("\n".join(["mapX,mapY,pixelX,pixelY,enable", *rows]))
+    call = ["trace", str(SAMPLE / "plan.jpg"), "-o", str(tmp_path / "plan.csv"), "--points", str(points)]
+    assert run([*call, *clicks(truth)]) == 0
+    assert "warning: The control points do not fit together" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "status", "said"),
     [
@@ -130,6 +156,9 @@ def test_a_world_file_gives_the_scale(tmp_path: Path, truth: dict[str, Any]) -> 
         (["--start", "97,1929", "--end", "850;177"], 2, "is no pixel"),
         (["--start", "97,1929", "--end", "85000,177"], 3, "outside"),
         (["--start", "97,1929", "--end", "850,177", "--scale", "-1"], 2, "--scale"),
+        (["--start", "97,1929", "--end", "850,177", "--scale", "1e300"], 2, "between 1e-06 and 1e+06"),
+        (["--start", "97,1929", "--end", "850,177", "--scale", "1e-300"], 2, "between 1e-06 and 1e+06"),
+        (["--start", "97,1929", "--end", "850,177", "--scale", "nan"], 2, "--scale"),
         (["--start", "97,1929", "--end", "850,177", "--unknown-scale"], 2, "contradict"),
         (["--start", "97,1929", "--end", "97,1929"], 3, "same"),
     ],

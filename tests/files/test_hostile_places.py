@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import shutil
 import subprocess
@@ -11,6 +12,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from bobdesk.cli.main import run
 from bobdesk.errors import InputError
@@ -232,3 +235,35 @@ def test_writers_of_one_file_leave_one_of_their_whole_contents(tmp_path: Path) -
         list(pool.map(lambda content: write_atomic(path, content), contents))
     assert path.read_bytes() in contents
     assert list(tmp_path.iterdir()) == [path]
+
+
+_PIECES = (b'"', b"null", b"1e999", b"..", b"\\u0000", b"[" * 2000)
+
+
+@settings(
+    deadline=None, max_examples=120, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(data=st.data())
+def test_a_damaged_recovery_copy_raises_nothing_but_the_one_error(tmp_path: Path, data: st.DataObject) -> None:
+    folder = tmp_path / "recovery" / "1"
+    if not folder.exists():
+        session = Recovery(tmp_path)
+        session.keep(ready_project(), path=Path(os.fsdecode(b"/tmp/\xff.bobdesk")), last_edit="x")
+        assert session.wait(5)
+        session.close(forget=False)
+        session.folder.rename(folder)
+        (tmp_path / "whole").write_bytes((folder / "state.json").read_bytes())
+    content = bytearray((tmp_path / "whole").read_bytes())
+    for _ in range(data.draw(st.integers(1, 3))):
+        # What stands before and behind the long document is hit as often as that.
+        at = data.draw(
+            st.integers(0, 300) | st.integers(len(content) - 300, len(content) - 1) | st.integers(0, len(content) - 1)
+        )
+        piece = data.draw(
+            st.binary(max_size=5) | st.sampled_from([b'"', b"null", b"1e999", b"..", b"\\u0000", b"[" * 2000])
+        )
+        content[at : at + data.draw(st.integers(0, 9))] = piece
+    (folder / "state.json").write_bytes(bytes(content))
+    for item in recoverable(tmp_path):
+        with contextlib.suppress(InputError):
+            recover(item)

@@ -46,6 +46,16 @@ def random_track(seed: int, *, curves: int = 12, loop: bool = False, radius: flo
     return clothoid_track(pieces)
 
 
+def looped_track(turn: float, *, radius: float = 55.0, side: float = 1.0) -> Array:
+    """A curve, a loop that turns by `turn` degrees, more than 180, and crosses itself, and another curve."""
+    angle, k = np.deg2rad(turn), side / radius
+    ramp = 0.4 * radius
+    lead = radius / np.tan(0.5 * (angle - np.pi)) + ramp + 60.0
+    bend = [(60.0, 0.0, 0.0), (20.0, 0.0, side / 60), (27.0, side / 60, side / 60), (20.0, side / 60, 0.0)]
+    loop = [(lead, 0.0, 0.0), (ramp, 0.0, k), (angle * radius - ramp, k, k), (ramp, k, 0.0), (lead, 0.0, 0.0)]
+    return clothoid_track([*bend, *loop, *bend[1:], bend[0]], heading=0.4)
+
+
 @dataclass(frozen=True)
 class Style:
     """How a track is drawn; widths in pixels."""

@@ -334,3 +334,8 @@ def test_sentences_name_uncertainty_and_degrees_of_freedom():
     sentences = " ".join(calibration_sentences(fit, plan_length_m=1352.0))
     for words in ("6 control points and 2 known distances", "10 degrees of freedom", "1 sigma", "1352.0 m ±"):
         assert words in sentences
+
+
+def test_points_without_any_error_are_called_exact():
+    fit = fit_calibration([ControlPoint(x, y, 0.5 * x, -0.5 * y) for x, y in ((0, 0), (300, 10), (40, 700))])
+    assert "m per pixel, exact" in " ".join(calibration_sentences(fit))

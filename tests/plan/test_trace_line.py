@@ -229,6 +229,8 @@ def test_between_two_yields_there_is_at_most_a_tenth_of_a_second_of_work() -> No
     [
         ([[5.0, 5.0]], "at least two points"),
         ([[5.0, 5.0], [900.0, 5.0]], "outside the picture"),
+        ([[5.0, 5.0], [119.6, 5.0]], "119.6,5 lies outside the picture of 120 x 100 pixels"),
+        ([[5.0, -0.6], [50.0, 5.0]], "outside the picture"),
         ([[5.0, 5.0], [np.nan, 5.0]], "not a number"),
         ([[5.0, 5.0], [5.2, 5.0], [50.0, 50.0]], "the same place"),
     ],

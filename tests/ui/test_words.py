@@ -29,6 +29,16 @@ def test_every_tr_has_a_literal():
     assert wrong == []
 
 
+def test_nothing_else_is_called_tr():
+    aliases = [
+        f"{path.relative_to(UI)}:{node.lineno}"
+        for path in FILES
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr"
+    ]
+    assert aliases == []
+
+
 def test_lupdate_finds_every_text_in_a_named_context(tmp_path):
     tool = Path(sys.executable).with_name("pyside6-lupdate")
     if not tool.exists():

@@ -46,50 +46,50 @@ class SegmentActions(QObject):
         return (*self._by_hand(), *self._walking(), *self._automatic(), *self._in_files())
 
     def _by_hand(self) -> tuple[Action, ...]:
-        do, tr = self._operations, self.tr
+        do = self._operations
         return (
-            self._row("split_segment", tr("&Split"), do.split, ("X",), "split",
-                      tr("Cut the segment at the cursor in two: a new boundary"), "hand"),
-            self._row("merge_segments", tr("&Merge"), do.merge, ("C",), "merge",
-                      tr("Make one of the selected segments, or of this one and its nearer neighbour"), "hand"),
-            self._row("flip_kind", tr("&Flip kind"), do.flip, ("O",), "flip",
-                      tr("Turn a straight into a curve, or a curve into a straight"), "hand"),
-            self._row("lock_segment", tr("&Lock"), do.lock, ("L",), "lock",
-                      tr("Keep a segment as it is, whatever is detected or edited, or let it go"), "hand"),
-            self._row("delete_boundary", tr("&Delete boundary"), do.delete_boundary, ("Shift+Del",), "delete",
-                      tr("Take the selected boundary away; both its segments become one"), "hand"),
-            self._row("number_curves", tr("&Number curves"), do.number_curves, (), "curve",
-                      tr("Number the curves from the start; names of your own stay"), "hand", is_key=False),
+            self._row("split_segment", self.tr("&Split"), do.split, ("X",), "split",
+                      self.tr("Cut the segment at the cursor in two: a new boundary"), "hand"),
+            self._row("merge_segments", self.tr("&Merge"), do.merge, ("C",), "merge",
+                      self.tr("Make one of the selected segments, or of this one and its nearer neighbour"), "hand"),
+            self._row("flip_kind", self.tr("&Flip kind"), do.flip, ("O",), "flip",
+                      self.tr("Turn a straight into a curve, or a curve into a straight"), "hand"),
+            self._row("lock_segment", self.tr("&Lock"), do.lock, ("L",), "lock",
+                      self.tr("Keep a segment as it is, whatever is detected or edited, or let it go"), "hand"),
+            self._row("delete_boundary", self.tr("&Delete boundary"), do.delete_boundary, ("Shift+Del",), "delete",
+                      self.tr("Take the selected boundary away; both its segments become one"), "hand"),
+            self._row("number_curves", self.tr("&Number curves"), do.number_curves, (), "curve",
+                      self.tr("Number the curves from the start; names of your own stay"), "hand", is_key=False),
         )  # fmt: skip
 
     def _walking(self) -> tuple[Action, ...]:
-        do, tr = self._operations, self.tr
+        do = self._operations
         return (
-            self._row("previous_segment", tr("&Previous segment"), lambda: do.select_next(-1), ("[", "PgUp"),
-                      "previous", tr("Select the segment before"), "walk"),
-            self._row("next_segment", tr("Ne&xt segment"), lambda: do.select_next(1), ("]", "PgDown"),
-                      "next", tr("Select the segment behind"), "walk"),
+            self._row("previous_segment", self.tr("&Previous segment"), lambda: do.select_next(-1), ("[", "PgUp"),
+                      "previous", self.tr("Select the segment before"), "walk"),
+            self._row("next_segment", self.tr("Ne&xt segment"), lambda: do.select_next(1), ("]", "PgDown"),
+                      "next", self.tr("Select the segment behind"), "walk"),
         )  # fmt: skip
 
     def _automatic(self) -> tuple[Action, ...]:
-        do, tr = self._operations, self.tr
+        do = self._operations
         return (
-            self._row("detect_again", tr("Detect &again"), do.detect_again, (), "detect",
-                      tr("Find the segments anew; locked and hand-made ones stay"), "automatic", is_key=False),
-            self._row("automatic_segments", tr("&Back to automatic"), do.back_to_automatic, (), "reset",
-                      tr("Give up all corrections; Undo brings them back"), "automatic", is_key=False),
+            self._row("detect_again", self.tr("Detect &again"), do.detect_again, (), "detect",
+                      self.tr("Find the segments anew; locked and hand-made ones stay"), "automatic", is_key=False),
+            self._row("automatic_segments", self.tr("&Back to automatic"), do.back_to_automatic, (), "reset",
+                      self.tr("Give up all corrections; Undo brings them back"), "automatic", is_key=False),
         )  # fmt: skip
 
     def _in_files(self) -> tuple[Action, ...]:
-        files, tr = self._files, self.tr
+        files = self._files
         return (
-            self._row("open_segments", tr("&Open segments…"), files.ask_open, (), "import",
-                      tr("Take all segments from a table with the columns kind, from_m and to_m"), "files",
+            self._row("open_segments", self.tr("&Open segments…"), files.ask_open, (), "import",
+                      self.tr("Take all segments from a table with the columns kind, from_m and to_m"), "files",
                       is_key=False),
-            self._row("save_segments", tr("Sa&ve segments…"), files.ask_save, (), "export",
-                      tr("Write the table that the command reconstruct reads"), "files", is_key=False),
-            self._row("compare_with_design", tr("&Compare with a design…"), files.ask_design, (), "table",
-                      tr("Look at a designer's list of curves beside these segments"), "files", is_key=False),
+            self._row("save_segments", self.tr("Sa&ve segments…"), files.ask_save, (), "export",
+                      self.tr("Write the table that the command reconstruct reads"), "files", is_key=False),
+            self._row("compare_with_design", self.tr("&Compare with a design…"), files.ask_design, (), "table",
+                      self.tr("Look at a designer's list of curves beside these segments"), "files", is_key=False),
         )  # fmt: skip
 
     def _row(

@@ -83,7 +83,9 @@ class AboutDialog(QDialog):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setStyleSheet("QListView::item { padding: 3px 4px; }")
         for one in self._components:
-            self.list.addItem(f"{one.name} {one.version}".strip())
+            name, comma, parts = one.name.partition(",")
+            # the version is the library's, not that of what is in it
+            self.list.addItem(f"{name} {one.version}{comma}{parts}" if one.version else one.name)
             self.list.item(self.list.count() - 1).setToolTip(one.licence)
         self.text = _text_field("")
         self.text.setAccessibleName(self.tr("Licence"))

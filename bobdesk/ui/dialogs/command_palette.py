@@ -39,6 +39,7 @@ PALETTE_ACTION = "command-palette"
 _RECENT = "palette-recent"
 _MOST_RECENT = 8
 _RECENT_BONUS = 4.0
+_NOT_NOW = 2.0  # of equals, what can be done comes first
 _WIDTH = 600
 _HEIGHT = 420
 _ROW_PADDING = 14
@@ -209,6 +210,8 @@ class CommandPalette(QDialog):
                 score = None if beside is None or len(typed) < 3 else beside - 30.0
             if score is None:
                 continue
+            if not self._model.can(row):
+                score -= _NOT_NOW
             if row.name in recent:
                 score += _RECENT_BONUS * (1 + (_MOST_RECENT - recent.index(row.name)) / _MOST_RECENT)
             found.append((-score, order, row))

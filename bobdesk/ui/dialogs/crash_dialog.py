@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QFontDatabase, QGuiApplication
+from PySide6.QtGui import QFontDatabase, QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QLabel, QPlainTextEdit, QPushButton, QVBoxLayout, QWidget
 
 from bobdesk.ui.fault_report import report
@@ -11,6 +11,7 @@ from bobdesk.ui.icons import icon
 
 _MOST_TRACES = 10
 _DETAILS_HEIGHT = 240
+_NARROWEST = 560
 
 
 class CrashDialog(QDialog):
@@ -40,8 +41,12 @@ class CrashDialog(QDialog):
         column.addLayout(self._head(kept=kept))
         column.addWidget(self._details, 1)
         column.addLayout(self._make_buttons())
-        self.setMinimumWidth(560)
         self._show_traces()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Be wide enough for the sentences, and for the buttons in every language."""
+        super().showEvent(event)
+        self._fit()
 
     def add(self, trace: str) -> None:
         """Take a further fault into the report."""
@@ -126,7 +131,13 @@ class CrashDialog(QDialog):
     def _on_details(self, shown: bool) -> None:
         self._details.setVisible(shown)
         self.details_button.setText(self.tr("Hide details") if shown else self.tr("Show details"))
+        self._fit()
         self.adjustSize()
+
+    def _fit(self) -> None:
+        layout = self.layout()
+        if layout is not None:
+            self.setMinimumWidth(max(_NARROWEST, layout.totalMinimumSize().width()))
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(self.report)

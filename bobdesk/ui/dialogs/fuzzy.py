@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-_AT_WORD = 8.0
-_IN_A_ROW = 5.0
+_AT_WORD = 6.0
+_IN_A_ROW = 9.0
 _SKIPPED = 0.15
 
 

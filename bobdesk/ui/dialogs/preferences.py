@@ -21,6 +21,7 @@ from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import GradientUnit, LengthUnit, Settings, Theme
 
 _LONGEST_AUTOSAVE = 120
+_NARROWEST = 430
 _SOURCE_LANGUAGE = "en"
 
 
@@ -96,8 +97,11 @@ class PreferencesDialog(QDialog):
         self._connect()
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Be as high as the wrapped sentences need: Qt's own guess is too low."""
+        """Be as wide as the widest row and as high as the wrapped sentences need: Qt's own guess is too low."""
         super().showEvent(event)
+        layout = self.layout()
+        if layout is not None:
+            self.setMinimumWidth(max(_NARROWEST, layout.totalMinimumSize().width()))
         self.setMinimumHeight(self.heightForWidth(self.width()))
 
     def reject(self) -> None:
@@ -129,7 +133,6 @@ class PreferencesDialog(QDialog):
         column.addLayout(form)
         column.addStretch(1)
         column.addWidget(self._buttons)
-        self.setMinimumWidth(430)
 
     def _connect(self) -> None:
         settings = self._settings

@@ -71,7 +71,7 @@ class PlanPanel(Panel):
         self._refresh()
 
     def _on_changed(self, before: Project, after: Project) -> None:
-        shown = ("name", "notes", "picture", "source", "extent", "actual", "trace")
+        shown = ("name", "notes", "picture", "source", "extent", "actual")
         if any(getattr(before, name) is not getattr(after, name) for name in shown):
             self._refresh()
 

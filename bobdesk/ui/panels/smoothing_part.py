@@ -68,6 +68,8 @@ class SmoothingPart(Part):
         self._newest = Newest(self.desk.runner, self.tr("Plan length"), self)
         self._newest.answered.connect(self._on_length)
         self._newest.failed.connect(self._on_no_length)
+        # The centreline may be there already, for other parts of the window.
+        self._on_line()
 
     def refresh(self, project: Project) -> None:
         """Show the settings of a project."""

@@ -40,7 +40,7 @@ class VerticesPart(Part):
         )
         self.table = Table(self.tr("Vertices"), self.model, fewest_rows=6, most_rows=10, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.ExtendedSelection)
-        self.table.fit_columns(("⚠ 88888", "88888.88", "88888.88", "−88888.88", "−88888.88", "100 %"))
+        self._samples: tuple[str, ...] = ()
         self.column.addWidget(self.table)
         flow = panel.add_buttons(self.column)
         self.show_button = panel.button(
@@ -66,8 +66,24 @@ class VerticesPart(Part):
         for column in (_PX_X, _PX_Y, _CONFIDENCE):
             self.table.setColumnHidden(column, trace is None)
         self.model.refresh()
+        self._fit_columns(trace)
         self.delete_button.setVisible(trace is not None)
         self._enable()
+
+    def _fit_columns(self, trace: Trace | None) -> None:
+        """Give columns the width of their longest number, found without asking every row."""
+        number, length = self.desk.quantities.number, self.desk.quantities.length
+        pixels = _longest(None if trace is None else trace.points)
+        metres = _longest(self._metres)
+        samples = (
+            f"⚠⚠ {number(self._count(), 0)}",
+            *(number(value, 2) for value in pixels),
+            *(length(value, 2, unit=False) for value in metres),
+            "100 %",
+        )
+        if samples != self._samples:
+            self._samples = samples
+            self.table.fit_columns(samples)
 
     @property
     def _trace(self) -> Trace | None:
@@ -215,6 +231,15 @@ def _runs(rows: tuple[int, ...]) -> list[tuple[int, int]]:
     breaks = np.flatnonzero(np.diff(array) > 1)
     firsts, lasts = array[np.concatenate([[0], breaks + 1])], array[np.concatenate([breaks, [len(array) - 1]])]
     return list(zip(firsts.tolist(), lasts.tolist(), strict=True))
+
+
+def _longest(points: FloatArray | None) -> tuple[float, float]:
+    """Return a number for each column that is as long as its longest: negative if any is."""
+    if points is None or len(points) == 0:
+        return 0.0, 0.0
+    largest, lowest = np.abs(points).max(axis=0), points.min(axis=0)
+    x, y = np.where(lowest < 0, -largest, largest).tolist()
+    return x, y
 
 
 def _suspect_vertices(trace: Trace | None) -> BoolArray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QDialogButtonBox, QDoubleSpinBox, QFormLayout, QFrame, QLabel, QWidget
 
@@ -35,7 +35,14 @@ class Popup(QFrame):
         The click, pixels of the host.
     taken
         Called with the numbers in the order of the fields; returns whether they could be used.
+
+    Signals
+    -------
+    gone
+        The form was closed, whether its numbers were used or not.
     """
+
+    gone = Signal()
 
     def __init__(
         self,
@@ -94,6 +101,7 @@ class Popup(QFrame):
         if host is not None:
             view = host.parentWidget()
             (view or host).setFocus(Qt.FocusReason.PopupFocusReason)
+        self.gone.emit()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Take or drop; no other key goes on to the plan."""

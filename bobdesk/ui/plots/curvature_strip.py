@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QEvent, QTimer
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
 
 from bobdesk.alignment.fit_settings import FitSettings
@@ -26,6 +26,7 @@ _HEIGHT = 150
 # The raw curve may run out of the plot; the fitted one decides what is seen.
 _ROOM = 1.25
 _SMALLEST_RANGE = 1e-3
+_FAINT = 110
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,8 +145,8 @@ class CurvatureStrip(QWidget):
         self._plot.setFocusPolicy(self.focusPolicy())
         self._zero = pyqtgraph.InfiniteLine(pos=0, angle=0, movable=False)
         self._plot.addItem(self._zero)
-        self._raw = self._plot.plot()
-        self._fitted = self._plot.plot()
+        self._raw = self._plot.plot(antialias=True)
+        self._fitted = self._plot.plot(antialias=True)
         self._stack.addWidget(self._plot)
         self._style()
 
@@ -155,7 +156,9 @@ class CurvatureStrip(QWidget):
         of = colours()
         self._plot.setBackground(of.base)
         self._zero.setPen(pyqtgraph.mkPen(of.grid, width=1))
-        self._raw.setPen(pyqtgraph.mkPen(of.border, width=1))
+        faint = QColor(of.muted)
+        faint.setAlpha(_FAINT)
+        self._raw.setPen(pyqtgraph.mkPen(faint, width=1))
         self._fitted.setPen(pyqtgraph.mkPen(of.accent, width=1))
         for side in ("left", "bottom"):
             axis = self._plot.getAxis(side)

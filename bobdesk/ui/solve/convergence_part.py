@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from bobdesk.project.project import Project
@@ -175,7 +175,7 @@ class ConvergencePart(Part):
             pixmap.setDevicePixelRatio(2)
             pixmap.fill(Qt.GlobalColor.transparent)
             painter = QPainter(pixmap)
-            painter.setPen(QPen(colour_of_series(name), 2, style_of_series(name)))
+            painter.setPen(QPen(QColor(colour_of_series(name)), 2, style_of_series(name)))
             painter.drawLine(0, 5, 22, 5)
             painter.end()
             button.setIcon(QIcon(pixmap))

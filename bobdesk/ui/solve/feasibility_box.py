@@ -22,6 +22,7 @@ class FeasibilityBox(QFrame):
         self.setObjectName("feasibility")
         self._kind: BoxKind = "waiting"
         self._is_current = True
+        self._sheet = ""
         self._sentence = QLabel(self)
         self._sentence.setWordWrap(True)
         self._sentence.setTextFormat(Qt.TextFormat.PlainText)
@@ -91,7 +92,11 @@ class FeasibilityBox(QFrame):
             "waiting": (of.muted, of.window, of.border),
         }[self._kind]
         words = of.text if self._kind == "good" and self._is_current else text
-        self.setStyleSheet(
+        sheet = (
             f"#feasibility {{ background: {back}; border: 1px solid {border}; border-radius: 4px; }}"
             f"#feasibility QLabel {{ color: {words if self._is_current else of.muted}; }}"
         )
+        # A sheet changes the palette, which asks for this again.
+        if sheet != self._sheet:
+            self._sheet = sheet
+            self.setStyleSheet(sheet)

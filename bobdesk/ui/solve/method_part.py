@@ -5,19 +5,18 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
 
+from bobdesk.files.solvers import solver_methods
 from bobdesk.project.project import Project
-from bobdesk.solve.iterates import Method
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.widgets.number_field import NumberField
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin
 
-_METHODS: tuple[Method, ...] = ("pgd", "published", "slsqp", "lbfgsb", "de")
-_WEIGHTS = ("length", "height", "curvature", "gradient")
+_OWN = ("pgd", "published", "slsqp", "lbfgsb", "de")
 _PAPERS_RATE = 1e-5
 
 
@@ -39,7 +38,12 @@ class MethodPart(Part):
             (self.tr("Differential evolution"), self.tr("A slow, random search on the published objective")),
         ):  # fmt: skip
             self.method.addItem(text)
-            self.method.setItemData(self.method.count() - 1, tip, 3)
+            self.method.setItemData(self.method.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+        # Those of plug-ins come after the program's own, in the order of the list.
+        self._methods = [*_OWN, *(method.key for method in solver_methods().formats if method.key not in _OWN)]
+        for method in solver_methods().formats:
+            if method.key not in _OWN:
+                self.method.addItem(method.title)
         panel.add_field(form, self.tr("Method"), self.method, self.tr("How the gradients are found"))
         self.method.activated.connect(self._on_method)
         self.more = QToolButton(self)
@@ -61,7 +65,9 @@ class MethodPart(Part):
         settings = project.solver
         unit = self.desk.quantities
         with QSignalBlocker(self.method), QSignalBlocker(self.meet_length):
-            self.method.setCurrentIndex(_METHODS.index(settings.method))
+            self.method.setCurrentIndex(
+                self._methods.index(settings.method) if settings.method in self._methods else -1
+            )
             self.meet_length.setChecked(settings.pgd.meet_length)
         self.transition.setSuffix(f" {unit.length_unit}")
         self.level_out.setSuffix(f" {unit.length_unit}")
@@ -164,7 +170,7 @@ class MethodPart(Part):
         return self.desk.session.apply(label, lambda project: edits.set_solver(project, settings), key=key)
 
     def _on_method(self, index: int) -> None:
-        self._set(self.tr("Choose the method"), None, method=_METHODS[index])
+        self._set(self.tr("Choose the method"), None, method=self._methods[index])
 
     def _on_meet_length(self, on: bool) -> None:
         self._set_pgd("meet length", meet_length=on)

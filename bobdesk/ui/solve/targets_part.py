@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from PySide6.QtCore import QSignalBlocker
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QMenu, QToolButton, QWidget
 
 from bobdesk.project.project import Project
@@ -111,7 +111,7 @@ class TargetsPart(Part):
             (self.tr("mean of segments"), self.tr("Mean of the gradients of all segments, as in the published method")),
         ):
             self.definition.addItem(text)
-            self.definition.setItemData(self.definition.count() - 1, tip, 3)
+            self.definition.setItemData(self.definition.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         tip = self.tr("How the mean gradient is defined: sources mean different things by it")
         self.definition.setAccessibleName(self.tr("Definition of the mean gradient"))
         self.definition.setToolTip(tip)

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QColor, QFont
+from PySide6.QtGui import QColor, QFont, QIcon
 
 from bobdesk.errors import InputError
 from bobdesk.ui.icons import icon
-from bobdesk.ui.theme import colours
+from bobdesk.ui.theme import Colours, colours
 
 Index = QModelIndex | QPersistentModelIndex
 _NOWHERE = QModelIndex()
@@ -93,6 +93,7 @@ class ColumnsModel(QAbstractTableModel):
         self._stands_out = stands_out
         self._is_faint = is_faint
         self._count = count()
+        self._icon: tuple[Colours, QIcon] | None = None
 
     def refresh(self) -> None:
         """Show the document as it is now."""
@@ -195,8 +196,14 @@ class ColumnsModel(QAbstractTableModel):
             bold.setBold(True)
             return bold
         if role == Qt.ItemDataRole.DecorationRole and marked and not column.is_number and column.check is None:
-            return icon("warning")
+            return self._warning()
         return None
+
+    def _warning(self) -> QIcon:
+        """Return the icon in the colours in force; drawing it for every cell would take longer than the table."""
+        if self._icon is None or self._icon[0] != colours():
+            self._icon = (colours(), icon("warning"))
+        return self._icon[1]
 
 
 def _alignment(column: Column) -> Qt.AlignmentFlag:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from bobdesk.ui.widgets.flow_layout import FlowLayout
 
-Remedies = Iterable[tuple[str, Callable[[], object]]]
+Remedies = Sequence[tuple[str, Callable[[], object]]]
+_MOST_REMEDIES = 3
 
 
 class NoticeBox(QFrame):
@@ -17,16 +19,23 @@ class NoticeBox(QFrame):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setProperty("kind", "notice")
-        self.setObjectName("noticeBox")
         self._sentence = QLabel(self)
         self._sentence.setWordWrap(True)
-        self._links = QWidget(self)
-        self._flow = FlowLayout(self._links, gap=10)
+        self._remedies: Remedies = ()
+        self._holder = QWidget(self)
+        flow = FlowLayout(self._holder, gap=10)
+        # Made once: later ones would come last in the order of the Tab key.
+        self.links = tuple(QPushButton(self._holder) for _ in range(_MOST_REMEDIES))
+        for index, link in enumerate(self.links):
+            link.setProperty("kind", "link")
+            link.clicked.connect(partial(self._do, index))
+            link.hide()
+            flow.addWidget(link)
         column = QVBoxLayout(self)
         column.setContentsMargins(8, 6, 8, 6)
         column.setSpacing(2)
         column.addWidget(self._sentence)
-        column.addWidget(self._links)
+        column.addWidget(self._holder)
         self.hide()
 
     @property
@@ -35,18 +44,16 @@ class NoticeBox(QFrame):
         return self._sentence.text()
 
     def say(self, sentence: str, remedies: Remedies = ()) -> None:
-        """Show a sentence and a link for each remedy; "" hides the box."""
+        """Show a sentence and a link for each remedy, three at most; "" hides the box."""
         self._sentence.setText(sentence)
-        while (item := self._flow.takeAt(0)) is not None:
-            if (widget := item.widget()) is not None:
-                widget.hide()
-                widget.deleteLater()
-        for text, do in remedies:
-            button = QPushButton(text, self._links)
-            button.setProperty("kind", "link")
-            button.setAccessibleName(text)
-            button.clicked.connect(lambda _checked=False, do=do: do())
-            self._flow.addWidget(button)
-            button.show()
-        self._links.setVisible(self._flow.count() > 0)
+        self._remedies = remedies
+        for index, link in enumerate(self.links):
+            link.setVisible(index < len(remedies))
+            if index < len(remedies):
+                link.setText(remedies[index][0])
+                link.setAccessibleName(remedies[index][0])
+        self._holder.setVisible(bool(remedies))
         self.setVisible(bool(sentence))
+
+    def _do(self, index: int, _checked: bool = False) -> None:
+        self._remedies[index][1]()

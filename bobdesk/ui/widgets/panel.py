@@ -41,6 +41,8 @@ class Panel(QScrollArea):
         self.desk = desk
         self._icons: list[tuple[QPushButton, str]] = []
         self.setWidgetResizable(True)
+        # What has the focus inside is scrolled into sight; the panel itself is no stop of the Tab key.
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
         self.setMinimumWidth(300)

@@ -20,6 +20,9 @@ from pathlib import Path
 
 from bobdesk.errors import InputError
 from bobdesk.files.importers.formats import read_line
+from bobdesk.files.project_archive import archive_bytes
+from bobdesk.files.project_encoding import encode_project
+from bobdesk.project.project import Project
 from tests.files.importers import made_files as made
 
 _ROOTS = {"kml": "kml", "gpx": "gpx", "osm": "osm", "svg": "svg"}
@@ -50,6 +53,14 @@ def _lying_kmz():
 def _archive(entries):
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w") as archive:
+        for name, content in entries:
+            archive.writestr(name, content)
+    return buffer.getvalue()
+
+
+def _packed(entries):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in entries:
             archive.writestr(name, content)
     return buffer.getvalue()
@@ -143,6 +154,12 @@ def hostile():
         "many.kmz": lambda: _archive([(f"{i}", b"") for i in range(20_000)]),
         "encrypted.kmz": lambda: _encrypted(),
         "half.kmz": lambda: made.kmz()[:900],
+        "bomb.bobdesk": lambda: _packed([("project.json", b" " * 110_000_000)]),
+        "parent.bobdesk": lambda: _archive([("project.json", b"{}"), ("../../etc/cron.d/evil", b"x")]),
+        "deep.bobdesk": lambda: _archive([("project.json", b'{"a":' * 200_000)]),
+        "half.bobdesk": lambda: made.bobdesk()[:900],
+        "no_line.bobdesk": lambda: archive_bytes(encode_project(Project())),
+        "kml.bobdesk": lambda: made.kmz(),
         "noise.kmz": lambda: b"PK\x03\x04" + noise,
         "noise.dxf": lambda: noise,
         "half.dxf": lambda: made.dxf()[:10_000],

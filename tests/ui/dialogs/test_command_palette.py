@@ -64,4 +64,5 @@ def test_scores() -> None:
     assert fuzzy_score("q", "Save") is None
     assert fuzzy_score("as save", "Save as") is not None
     assert (fuzzy_score("sa", "Save") or 0) > (fuzzy_score("sa", "Close gaps, also") or 0)
+    assert (fuzzy_score("new", "New from picture") or 0) > (fuzzy_score("new", "Next part of the window") or 0)
     assert (fuzzy_score("cg", "Close gaps") or 0) > (fuzzy_score("cg", "Recording") or 0)

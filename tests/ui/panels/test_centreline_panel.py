@@ -5,12 +5,13 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox, QPushButton
+from PySide6.QtWidgets import QAbstractButton, QAbstractSpinBox
 
 from bobdesk.alignment.curvature import curvature
 from bobdesk.plan.trace_vertices import drawn_trace
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
+from bobdesk.ui.derived import centreline_later
 from bobdesk.ui.panels.centreline_panel import CentrelinePanel
 from tests.project.made_projects import bends, coordinates_project
 from tests.ui.panels.cells import shown, typed
@@ -19,13 +20,12 @@ NUMBER, PX_X, PX_Y, M_X, M_Y, SURE = range(6)
 
 
 @pytest.fixture
-def panel(desk, qtbot, idle):
+def panel(desk, qtbot):
     panel = CentrelinePanel(desk)
     qtbot.addWidget(panel)
     panel.resize(440, 900)
     panel.show()
-    yield panel
-    qtbot.waitUntil(lambda: panel.smoothing.strip.is_up_to_date and not desk.runner.jobs, timeout=10_000)
+    return panel
 
 
 @pytest.mark.parametrize(("column", "axis"), [(PX_X, 0), (PX_Y, 1)])
@@ -190,7 +190,7 @@ def test_warnings_show_their_place_until_it_is_mended(desk, opened, panel):
     assert box.sentence == sentence
     places = []
     panel.place_wanted.connect(lambda *place: places.append(place))
-    next(button for button in box.findChildren(QPushButton) if button.isVisible()).click()
+    box.links[0].click()
     assert places == [(round(x), round(y))]
     desk.session.apply("Move", lambda project: edits.move_vertices(project, range(20, 30), trace.points[20:30]))
     assert box.sentence == ""
@@ -248,3 +248,11 @@ def test_heavy_libraries_wait_until_they_are_needed():
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "[]"
+
+
+def test_a_panel_that_comes_late_shows_the_length_at_once(desk, opened, qtbot, idle, until):
+    centreline_later(desk)
+    idle()
+    panel = CentrelinePanel(desk)
+    qtbot.addWidget(panel)
+    until(lambda: "±" in panel.smoothing.length.text())

@@ -7,18 +7,17 @@ from PySide6.QtWidgets import QPushButton
 from bobdesk.project import edits
 from bobdesk.project.project import Picture, Project
 from bobdesk.ui.panels.plan_panel import PlanPanel
-from tests.plan.made_pdf import pdf_page
+from tests.plan.made_pdf import made_pdf
 from tests.project.made_projects import coordinates_project, full_project
 
 
 @pytest.fixture
-def panel(desk, qtbot, idle):
+def panel(desk, qtbot):
     panel = PlanPanel(desk)
     qtbot.addWidget(panel)
     panel.resize(440, 900)
     panel.show()
-    yield panel
-    idle()
+    return panel
 
 
 def svg(width=40, height=20):
@@ -192,7 +191,8 @@ def test_buttons_ask_for_files(desk, panel):
 
 
 def test_a_pdf_has_a_resolution(desk, panel, idle):
-    desk.session.open(edits.open_picture(Project(), Picture(pdf_page(), "plan.pdf", dpi=100.0)), None)
+    page = made_pdf(["10 10 m 90 20 l S"], width=100, height=50)
+    desk.session.open(edits.open_picture(Project(), Picture(page, "plan.pdf", dpi=100.0)), None)
     idle()
     assert panel.source.format.text() == "PDF"
     assert panel.page.dpi.isVisible()

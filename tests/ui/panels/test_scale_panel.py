@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QFileDialog, QPushButton
+from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit, QPushButton
 
 from bobdesk.plan.control_points import KnownDistance
 from bobdesk.plan.qgis_points import parse_qgis_points
@@ -17,13 +17,12 @@ USED, NAME, PX_X, PX_Y, X, Y, RESIDUAL_PX, RESIDUAL_M = range(8)
 
 
 @pytest.fixture
-def panel(desk, qtbot, idle):
+def panel(desk, qtbot):
     panel = ScalePanel(desk)
     qtbot.addWidget(panel)
     panel.resize(440, 900)
     panel.show()
-    yield panel
-    idle()
+    return panel
 
 
 @pytest.mark.parametrize(
@@ -79,7 +78,7 @@ def test_the_worst_point_is_named_marked_and_switched_off(desk, opened, panel):
     assert panel.points.worst_box.isVisible()
     assert "Point 4" in panel.points.worst_box.sentence
     assert isinstance(model.data(model.index(3, NAME), Qt.ItemDataRole.DecorationRole), QIcon)
-    links = [button for button in panel.points.worst_box.findChildren(QPushButton) if button.isVisible()]
+    links = panel.points.worst_box.links
     places = []
     panel.place_wanted.connect(lambda x, y: places.append((x, y)))
     links[1].click()
@@ -259,7 +258,7 @@ def test_buttons_want_tools(desk, opened, panel):
 
 def test_every_control_has_a_name_and_a_tip(desk, opened, panel):
     for button in panel.findChildren(QPushButton):
-        assert button.accessibleName()
+        assert button.accessibleName() or not button.isVisible()
     assert panel.points.table.accessibleName()
     model = panel.points.model
     for column in range(model.columnCount()):
@@ -280,5 +279,34 @@ def test_a_wrong_distance_is_named_and_switched_off(desk, opened, panel):
     typed(panel.distances.model, 0, 3, "60")
     assert "Distance bar" in panel.distances.worst_box.sentence
     assert panel.points.worst_box.sentence == ""
-    next(button for button in panel.distances.worst_box.findChildren(QPushButton) if button.isVisible()).click()
+    panel.distances.worst_box.links[0].click()
     assert not desk.session.project.known_distances[0].used
+
+
+def test_a_cell_is_edited_with_mouse_and_keys(desk, opened, panel, qtbot, until):
+    table = panel.points.table
+    panel.activateWindow()
+    index = panel.points.model.index(1, PX_X)
+    where = table.visualRect(index).center()
+    qtbot.mouseClick(table.viewport(), Qt.MouseButton.LeftButton, pos=where)
+    qtbot.mouseDClick(table.viewport(), Qt.MouseButton.LeftButton, pos=where)
+    editor = table.viewport().findChild(QLineEdit)
+    assert editor.text() == "932.1"
+    editor.selectAll()
+    qtbot.keyClicks(editor, "940.5")
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    until(lambda: desk.session.project.control_points[1].x_px == 940.5)
+
+
+def test_the_tab_key_goes_from_the_top_to_the_bottom(desk, opened, panel, qtbot):
+    panel.activateWindow()
+    panel.way.chooser.setFocus()
+    seen = []
+    for _ in range(30):
+        focus = QApplication.focusWidget()
+        seen.append(focus.mapTo(panel.widget(), focus.rect().topLeft()).y())
+        qtbot.keyClick(focus, Qt.Key.Key_Tab)
+        if QApplication.focusWidget() is panel.way.chooser or QApplication.focusWidget() is focus:
+            break
+    assert len(seen) > 8
+    assert seen == sorted(seen)

@@ -154,7 +154,7 @@ class CalibrateTool(Tool):
         ]
         title = self.tr("Position of point {name}").format(name=self._next_name())
         self._popup = Popup(self.host, pointer.screen, title, fields, self._add)
-        self._popup.destroyed.connect(self._on_popup_gone)
+        self._popup.gone.connect(self._on_popup_gone)
         self._say()
 
     def _add(self, values: list[float]) -> bool:
@@ -182,7 +182,7 @@ class CalibrateTool(Tool):
 
     def _close_popup(self) -> None:
         if self._popup is not None:
-            self._popup.destroyed.disconnect(self._on_popup_gone)
+            self._popup.gone.disconnect(self._on_popup_gone)
             self._popup.drop()
             self._popup = None
 

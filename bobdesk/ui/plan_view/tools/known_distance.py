@@ -68,7 +68,7 @@ class KnownDistanceTool(Tool):
             self._second = pointer.plan
             self._close_popup()
             self._popup = give_distance(self.desk, self.host, pointer.screen, self._first, self._second, "known")
-            self._popup.destroyed.connect(self._on_popup_gone)
+            self._popup.gone.connect(self._on_popup_gone)
         self._say()
         self.repaint.emit()
 
@@ -132,7 +132,7 @@ class KnownDistanceTool(Tool):
 
     def _close_popup(self) -> None:
         if self._popup is not None:
-            self._popup.destroyed.disconnect(self._on_popup_gone)
+            self._popup.gone.disconnect(self._on_popup_gone)
             self._popup.drop()
             self._popup = None
 
