@@ -34,6 +34,7 @@ class WindowPanels:
             "Scale": self._scale,
             "Centreline": self._centreline,
             "Solve": self._solve,
+            "Export": self._export,
         }
 
     def show_step(self, step: StepName) -> None:
@@ -45,6 +46,13 @@ class WindowPanels:
             self._shown[step] = panel
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
+
+    def take_focus(self, step: StepName) -> None:
+        """Give the keyboard to what a step is mostly entered for."""
+        panel = self._shown.get(step)
+        take = getattr(panel, "take_focus", None)
+        if take is not None:
+            take()
 
     def strips(self) -> QWidget:
         """Return the strips by station; the plots' library is loaded with them, not before."""
@@ -81,3 +89,8 @@ class WindowPanels:
         from bobdesk.ui.panels.solve_panel import SolvePanel
 
         return SolvePanel(self._desk, self.stack)
+
+    def _export(self) -> QWidget:
+        from bobdesk.ui.panels.export_panel import ExportPanel
+
+        return ExportPanel(self._desk, self.stack)
