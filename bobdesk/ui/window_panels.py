@@ -56,9 +56,12 @@ class WindowPanels:
 
     def strips(self) -> QWidget:
         """Return the strips by station; the plots' library is loaded with them, not before."""
+        from bobdesk.ui.solve.result_strips import ResultStrips
         from bobdesk.ui.strips.strip_stack import StripStack
 
-        return StripStack(self._desk, self.stack)
+        stack = StripStack(self._desk, self.stack)
+        ResultStrips(self._desk, stack)
+        return stack
 
     def _take_tool(self, name: str) -> None:
         """Take the tool that a panel asks for, and give the plan the keyboard."""

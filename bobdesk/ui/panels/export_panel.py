@@ -44,6 +44,8 @@ class ExportPanel(Panel):
             self.format.addItem(known.title)
         self.add_field(form, self.tr("Format"), self.format, self.tr("What the file is to be read by"))
         self.flavour = QComboBox(self)
+        self.flavour.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.flavour.setMinimumContentsLength(18)
         self.flavour.addItems(
             [
                 self.tr("comma, decimal point"),
