@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
-from PySide6.QtWidgets import QComboBox, QPlainTextEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
@@ -44,6 +44,8 @@ class ExportPanel(Panel):
             self.format.addItem(known.title)
         self.add_field(form, self.tr("Format"), self.format, self.tr("What the file is to be read by"))
         self.flavour = QComboBox(self)
+        self.flavour.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.flavour.setMinimumContentsLength(18)
         self.flavour.addItems(
             [
                 self.tr("comma, decimal point"),
@@ -61,7 +63,10 @@ class ExportPanel(Panel):
             self.tr("Distance of the rows in plan; leave it empty for the rows that were solved for"),
         )  # fmt: skip
         self._spacing_label: Any = form.labelForField(self.spacing)
-        self.transitions = self.add_value(form, self.tr("Vertical transitions"))
+        self.transitions = QLabel(self)
+        self.transitions.setAccessibleName(self.tr("Vertical transitions"))
+        self.transitions.setToolTip(self.tr("Set among the settings of the method, since they change the result"))
+        form.addRow(self.tr("Vertical transitions"), self.transitions)
         self._preview_section, column = self.add_section(self.tr("Exactly what will be written"))
         self.size = self.add_label("", "muted", column)
         self.text = QPlainTextEdit(self)

@@ -50,7 +50,7 @@ class FiguresPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._rows), panel.refuse, parent=self)
         self.table = Table(self.tr("Figures of the result"), self.model, fewest_rows=4, most_rows=10, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("Largest gradient", "8,888.888 m", "≤ 888.88 %", "8,888.888 m", "−88.888 %x"))
+        self.table.fit_columns(("Largest gradient", "8,888.88 m", "8,888.88 m", "8,888.88 m", "8.8 % of drop"))
         self.column.addWidget(self.table)
         self.note = panel.add_label("", "muted", self.column)
         flow = panel.add_buttons(self.column)
@@ -117,13 +117,13 @@ class FiguresPart(Part):
             return _Row(name, show(value), shown, "–" if real is None else show(real), apart)  # type: ignore[operator]
 
         def metres(value: float) -> str:
-            return length(value, 3)
+            return length(value, 2)
 
         rows = [
             row(self.tr("Length"), found.length, wanted.length, actual and actual.length, metres),
             row(self.tr("Height difference"), found.drop, wanted.drop, actual and actual.drop, metres),
             row(self.tr("Mean gradient"), mean_of(found, named), wanted.mean_gradient,
-                actual and mean_of(actual, named), lambda value: gradient(value, 3)),
+                actual and mean_of(actual, named), gradient),
             row(self.tr("Largest gradient"), found.max_gradient, wanted.max_gradient,
                 actual and actual.max_gradient, gradient, "≤ "),
             row(self.tr("Smallest gradient"), found.min_gradient, wanted.min_gradient,
@@ -136,11 +136,11 @@ class FiguresPart(Part):
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:
             rows += [
-                _Row(self.tr("z RMS"), length(compared.z_rms, 3), "–", "–",
+                _Row(self.tr("z RMS"), length(compared.z_rms, 2), "–", "–",
                      self.tr("{value} % of drop").format(value=unit.number(compared.z_rms_percent, 2))),
-                _Row(self.tr("z largest"), length(compared.z_max, 3), "–", "–",
+                _Row(self.tr("z largest"), length(compared.z_max, 2), "–", "–",
                      self.tr("at {station}").format(station=length(compared.z_max_station, 0))),
-                _Row(self.tr("Gradient RMS"), gradient(compared.gradient_rms, 3)),
+                _Row(self.tr("Gradient RMS"), gradient(compared.gradient_rms)),
             ]  # fmt: skip
         return rows
 

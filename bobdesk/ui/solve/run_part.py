@@ -93,7 +93,7 @@ class RunPart(Part):
         else:
             text, name, tip = self.tr("Pause"), "pause", self.tr("Let this run rest; nothing is lost")
         self.run_button.setText(text)
-        self.run_button.setIcon(icon(name))
+        self.run_button.setIcon(icon(name, colours().on_accent))
         self.run_button.setAccessibleName(text)
         self.run_button.setToolTip(tip)
         self.stop_button.setEnabled(running)
