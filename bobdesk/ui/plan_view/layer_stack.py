@@ -59,7 +59,8 @@ class LayerStack:
 
     def in_loupe(self) -> list[Layer]:
         """Return the shown layers that a loupe magnifies."""
-        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name != "furniture"]
+        hidden = ("furniture", "flags", "stations")
+        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name not in hidden]
 
     def set_bounds(self, bounds: QRectF) -> None:
         """Let all layers cover the scene."""

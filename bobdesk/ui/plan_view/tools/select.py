@@ -75,7 +75,8 @@ class SelectTool(Tool):
         self.reset()
 
     def refresh(self) -> None:
-        """Say what can be done now."""
+        """Drop a drag of vertices that may be gone; say what can be done now."""
+        self._grip = None
         self._say()
 
     def reset(self) -> None:
