@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self.steps_bar = StepsBar(self.desk, self)
         self.status = StatusBar(self.desk, self)
         self.start = Start(self.desk, self.documents, self.plans, self)
-        self.panels = WindowPanels(self.desk, self.view, self.plans, self)
+        self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self._stack = QStackedWidget(self)
         self._stack.addWidget(self.start.page)
         self._stack.addWidget(self.view)

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QRectF
 from PySide6.QtWidgets import QGraphicsScene
 
+from bobdesk.project.steps import StepName
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.layers.centreline import CentrelineLayer
 from bobdesk.ui.plan_view.layers.control_points import ControlPointsLayer
@@ -21,6 +22,8 @@ from bobdesk.ui.plan_view.layers.stations import StationsLayer
 from bobdesk.ui.plan_view.layers.trace import TraceLayer
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.tool_box import ToolBox
+
+_WITH_SEGMENTS: tuple[StepName, ...] = ("Segments", "Solve")
 
 
 class LayerStack:
@@ -61,6 +64,11 @@ class LayerStack:
         """Return the shown layers that a loupe magnifies."""
         hidden = ("furniture", "flags", "stations")
         return [layer for layer in self._layers.values() if layer.isVisible() and layer.name not in hidden]
+
+    def show_in_step(self, step: StepName) -> None:
+        """Show the segments in the steps that are about them, elsewhere only where they are switched on."""
+        layer = self._layers["segments"]
+        layer.setVisible(step in _WITH_SEGMENTS or self._settings.flag("layer_segments", layer.usually_shown))
 
     def set_bounds(self, bounds: QRectF) -> None:
         """Let all layers cover the scene."""

@@ -108,7 +108,9 @@ class FiguresPart(Part):
         named = wanted.mean_gradient_is
         length, gradient = unit.length, unit.gradient
 
-        def row(name: str, value: float, target: float | None, real: float | None, show: object, sign: str = "") -> _Row:
+        def row(
+            name: str, value: float, target: float | None, real: float | None, show: object, sign: str = ""
+        ) -> _Row:
             base = real if real is not None else (target if not sign else None)
             apart = "" if not base else self._percent(100 * (value - base) / base)
             shown = "–" if target is None else f"{sign}{show(target)}"  # type: ignore[operator]
