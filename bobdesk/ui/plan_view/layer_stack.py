@@ -62,7 +62,8 @@ class LayerStack:
 
     def in_loupe(self) -> list[Layer]:
         """Return the shown layers that a loupe magnifies."""
-        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name != "furniture"]
+        hidden = ("furniture", "flags", "stations")
+        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name not in hidden]
 
     def show_in_step(self, step: StepName) -> None:
         """Show the segments in the steps that are about them, elsewhere only where they are switched on."""
