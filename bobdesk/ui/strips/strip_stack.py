@@ -79,7 +79,7 @@ class StripStack(QWidget):
         strip.add_overlay(SegmentOverlay(self._desk, self.drag, has_handles=not self._strips))
         strip.station_clicked.connect(self._on_clicked)
         strip.range_selected.connect(self.select_range)
-        strip.menu_wanted.connect(self._show_menu)
+        strip.menu_wanted.connect(lambda at: self.menu_at(at).popup(at))
         strip.installEventFilter(self)
         for one in self._strips:
             one.has_axis = False
@@ -267,7 +267,8 @@ class StripStack(QWidget):
         inside = station is not None and self.axis.low <= station <= self.axis.high
         self.axis.zoom(factor, station if inside and station is not None else 0.5 * (self.axis.low + self.axis.high))
 
-    def _show_menu(self, at: QPoint) -> None:
+    def menu_at(self, at: QPoint) -> QMenu:
+        """Return the context menu of a place on the screen."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for action in self._segment_actions:
@@ -279,7 +280,7 @@ class StripStack(QWidget):
             menu.addAction(self.tr("Close the selected stretch"), self.clear_range)
         menu.addSeparator()
         self._saving.fill_menu(menu, self._strip_at(at))
-        menu.popup(at)
+        return menu
 
     def _show_save_menu(self) -> None:
         menu = QMenu(self)
