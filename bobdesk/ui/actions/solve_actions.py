@@ -76,7 +76,9 @@ class SolveActions(QObject):
                 self.tr("Do one iteration and rest"),
                 "Solve",
                 "run",
-                enabled=lambda: self._stage.has_document() and (not self._solving.is_running or self._solving.is_paused),
+                enabled=lambda: (
+                    self._stage.has_document() and (not self._solving.is_running or self._solving.is_paused)
+                ),
             ),
             Action(
                 "stop_run",

@@ -1,4 +1,4 @@
-"""What the strips show of results beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
+"""What the strips show beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
 
 from __future__ import annotations
 
@@ -107,8 +107,9 @@ class ResultStrips(QObject):
         gradient = elevation = None
         if actual is not None and length > 0:
             stations, elevations, gradients = actual_profile(actual, length)
-            gradient = Curve(stations, gradients, "measure", 1.2, Qt.PenStyle.DashLine, counts=False,
-                             column="actual_gradient")
+            gradient = Curve(
+                stations, gradients, "measure", 1.2, Qt.PenStyle.DashLine, counts=False, column="actual_gradient"
+            )
             elevation = Curve(stations, elevations, "measure", 1.2, Qt.PenStyle.DashLine, column="actual_elevation_m")
         self._stack.gradient.set_curve(_ACTUAL, gradient)
         self._stack.elevation.set_curve(_ACTUAL, elevation)
@@ -160,4 +161,3 @@ def actual_profile(actual: ActualTrack, length: float) -> tuple[FloatArray, Floa
     stations, elevations = stations[keep], points[keep, 2] - points[:, 2].min()
     gradients = -np.gradient(elevations, stations)
     return stations * (length / stations[-1]), elevations, gradients
-

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton
 from bobdesk.project.project import Project
 from bobdesk.ui.icons import icon
 from bobdesk.ui.solving import solving_of
+from bobdesk.ui.theme import colours
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 

@@ -98,9 +98,7 @@ def _draw_pieces(painter: QPainter, scene: Scene, camera: Camera, area: QRectF) 
         painter.drawLines([QLineF(*rows[index]) for index in range(first, last)])
 
 
-def _pieces(
-    scene: Scene, camera: Camera, area: QRectF
-) -> tuple[list[QPen], FloatArray, FloatArray, IntArray]:
+def _pieces(scene: Scene, camera: Camera, area: QRectF) -> tuple[list[QPen], FloatArray, FloatArray, IntArray]:
     """Return pens, edges in pixels (m, 4), their depths and the pen of each."""
     of = colours()
     pens: list[QPen] = []
@@ -207,3 +205,13 @@ def _thin(count: int, most: int) -> IntArray:
     if count <= most:
         return np.arange(count)
     return np.linspace(0, count - 1, most).round().astype(np.int64)
+
+
+def with_floor(scene: Scene) -> FloatArray:
+    """Return the points of the line and their feet: what is to be in sight."""
+    if not scene.has_drop_lines:
+        return scene.points
+    feet = scene.points.copy()
+    feet[:, 2] = scene.floor
+    both: FloatArray = np.concatenate([scene.points, feet])
+    return both

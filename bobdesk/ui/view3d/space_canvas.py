@@ -10,10 +10,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from bobdesk.arrays import FloatArray
 from bobdesk.ui.theme import colours
 from bobdesk.ui.view3d.camera import Camera
-from bobdesk.ui.view3d.scene import Scene, draw
+from bobdesk.ui.view3d.scene import Scene, draw, with_floor
 
 _NEAR = 12.0
 _TURN = math.radians(0.4)
@@ -52,7 +51,7 @@ class SpaceCanvas(QWidget):
         self._last = QPointF()
         self._moved = False
 
-    def sizeHint(self) -> QSize:  # noqa: N802
+    def sizeHint(self) -> QSize:
         """Be as large as the plan."""
         return QSize(800, 500)
 
@@ -99,7 +98,7 @@ class SpaceCanvas(QWidget):
         rank = apart[near] + 1e-3 * (depths[near] - depths[near].min())
         return int(near[rank.argmin()])
 
-    def paintEvent(self, _event: QPaintEvent) -> None:  # noqa: N802
+    def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the scene."""
         painter = QPainter(self)
         if self._scene is None:
@@ -110,18 +109,18 @@ class SpaceCanvas(QWidget):
             return
         draw(painter, self._scene, self.camera, QRectF(self.rect()))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802
+    def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep everything in sight."""
         super().resizeEvent(event)
         if self._is_fitted:
             self._fit()
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:  # noqa: N802
+    def mousePressEvent(self, event: QMouseEvent) -> None:
         """Begin to turn or pan."""
         self._pressed = self._last = event.position()
         self._moved = False
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:  # noqa: N802
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Turn or pan, or mark the place under the mouse."""
         at = event.position()
         if self._pressed is None:
@@ -137,21 +136,21 @@ class SpaceCanvas(QWidget):
         else:
             self._move(self.camera.panned(by.x(), by.y()), fitted=False)
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:  # noqa: N802
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Pick what was clicked."""
         if self._pressed is not None and not self._moved and event.button() == Qt.MouseButton.LeftButton:
             adds = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
             self.picked.emit(self.row_at(event.position()), adds)
         self._pressed = None
 
-    def wheelEvent(self, event: QWheelEvent) -> None:  # noqa: N802
+    def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom at the mouse."""
         factor = 1.2 ** (event.angleDelta().y() / 120)
         at = event.position() - QPointF(self.width() / 2, self.height() / 2)
         self._move(self.camera.zoomed(factor, at.x(), at.y()), fitted=False)
         event.accept()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802
+    def keyPressEvent(self, event: QKeyEvent) -> None:
         """Turn, zoom, and look from the usual sides."""
         key = Qt.Key(event.key())
         turns = {
@@ -183,14 +182,6 @@ class SpaceCanvas(QWidget):
 
     def _fit(self) -> None:
         if self._scene is not None:
-            self.camera = self.camera.fitted(_with_floor(self._scene), max(self.width(), 50), max(self.height() - 60, 50))
-
-
-def _with_floor(scene: Scene) -> FloatArray:
-    """Return the points of the line and their feet: what is to be in sight."""
-    if not scene.has_drop_lines:
-        return scene.points
-    feet = scene.points.copy()
-    feet[:, 2] = scene.floor
-    both: FloatArray = np.concatenate([scene.points, feet])
-    return both
+            self.camera = self.camera.fitted(
+                with_floor(self._scene), max(self.width(), 50), max(self.height() - 60, 50)
+            )

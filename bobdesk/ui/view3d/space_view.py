@@ -5,7 +5,17 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QMenu, QSlider, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
@@ -78,13 +88,13 @@ class SpaceView(QWidget):
             QGuiApplication.clipboard().setImage(image)
             self._desk.notices.note(self.tr("The picture is on the clipboard."))
 
-    def showEvent(self, event: QShowEvent) -> None:  # noqa: N802
+    def showEvent(self, event: QShowEvent) -> None:
         """Draw what has changed while the view was hidden."""
         super().showEvent(event)
         if self._is_old:
             self._follow()
 
-    def changeEvent(self, event: QEvent) -> None:  # noqa: N802
+    def changeEvent(self, event: QEvent) -> None:
         """Draw in the colours of another palette."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
@@ -117,7 +127,7 @@ class SpaceView(QWidget):
         self.figure_box.setMinimumContentsLength(16)
         self.drop_box.setChecked(True)
         self.drop_box.setAccessibleName(self.drop_box.text())
-        self.drop_box.setToolTip(self.tr("Verticals from the line to the level of its lowest point, and the plan there"))
+        self.drop_box.setToolTip(self.tr("Verticals down to the level of the lowest point, and the plan there"))
         row.addWidget(self.height_label)
         row.addWidget(self.height_slider)
         row.addWidget(self.figure_box)
