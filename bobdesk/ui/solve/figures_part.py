@@ -127,7 +127,8 @@ class FiguresPart(Part):
 
         in_length, in_gradient = f", {unit.length_unit}", f", {unit.gradient_unit}"
         rows = [
-            row(self.tr("Length") + in_length, found.length, wanted.length, None if actual is None else actual.length, metres),
+            row(self.tr("Length") + in_length, found.length, wanted.length,
+                None if actual is None else actual.length, metres),
             row(self.tr("Drop") + in_length, found.drop, wanted.drop, None if actual is None else actual.drop, metres),
             row(self.tr("Mean gradient") + in_gradient, mean_of(found, named), wanted.mean_gradient,
                 None if actual is None else mean_of(actual, named), gradient),
@@ -143,7 +144,8 @@ class FiguresPart(Part):
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:
             rows += [
-                _Row(self.tr("z RMS") + in_length, metres(compared.z_rms), "–", "–", self._percent(compared.z_rms_percent)),
+                _Row(self.tr("z RMS") + in_length, metres(compared.z_rms), "–", "–",
+                     self._percent(compared.z_rms_percent)),
                 _Row(self.tr("z largest") + in_length, metres(compared.z_max), "–", "–",
                      self.tr("at {station}").format(station=length(compared.z_max_station, 0))),
                 _Row(self.tr("Gradient RMS") + in_gradient, gradient(compared.gradient_rms)),
