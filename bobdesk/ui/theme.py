@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Literal
 
@@ -133,6 +135,17 @@ class _InForce:
 def colours() -> Colours:
     """Return the colours in force."""
     return _InForce.colours
+
+
+@contextmanager
+def on_paper() -> Iterator[None]:
+    """Have the light colours in force for a while: paper is white, whatever the screen is."""
+    before = _InForce.colours
+    _InForce.colours = LIGHT
+    try:
+        yield
+    finally:
+        _InForce.colours = before
 
 
 def apply_theme(application: QApplication, theme: Theme) -> None:

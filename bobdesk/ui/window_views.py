@@ -53,5 +53,6 @@ class WindowViews(QStackedWidget):
 
             self._space = SpaceView(self._desk, self)
             self.addWidget(self._space)
-        self.setCurrentWidget(self._space if on and self._space is not None else self._plan)
-        self.currentWidget().setFocus()
+        shown: QWidget = self._space if on and self._space is not None else self._plan
+        self.setCurrentWidget(shown)
+        shown.setFocus()

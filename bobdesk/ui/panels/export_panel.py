@@ -68,7 +68,7 @@ class ExportPanel(Panel):
         self.transitions.setToolTip(self.tr("Set among the settings of the method, since they change the result"))
         form.addRow(self.tr("Vertical transitions"), self.transitions)
         self._preview_section, column = self.add_section(self.tr("Exactly what will be written"))
-        self.size = self.add_label("", "muted", column)
+        self.size_label = self.add_label("", "muted", column)
         self.text = QPlainTextEdit(self)
         self.text.setReadOnly(True)
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
@@ -190,7 +190,7 @@ class ExportPanel(Panel):
         self.save_button.setToolTip(self.tr("Write the file (Ctrl+E, then Enter)"))
         if found is None:
             self.text.setPlainText("")
-            self.size.setText(self.later.problem or self.tr("Preparing the file …"))
+            self.size_label.setText(self.later.problem or self.tr("Preparing the file …"))
             self.totals.setText("")
             return
         if self.text.toPlainText() != found.text:
@@ -204,7 +204,7 @@ class ExportPanel(Panel):
             parts.append(self.tr("{count} rows").format(count=unit.number(found.totals.rows, 0)))
         parts.append(self.tr("{size} kB").format(size=unit.number(len(found.content) / 1000, 1)))
         parts.append("UTF-8, BOM" if found.content.startswith(b"\xef\xbb\xbf") else "UTF-8")
-        self.size.setText(" · ".join(parts))
+        self.size_label.setText(" · ".join(parts))
         if found.totals is None:
             self.totals.setText("")
             return

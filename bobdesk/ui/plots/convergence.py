@@ -269,6 +269,7 @@ class ConvergencePlot(QWidget):
             "shortest line": self.tr("shortest line"),
             "length": self.tr("meet the length"),
             "published": self.tr("as published"),
+            "result": self.tr("result"),
         }.get(stage, stage)
 
     def _draw_cursor(self, painter: QPainter, area: QRectF, share: float, low: float, high: float) -> None:

@@ -90,8 +90,13 @@ class Report(QObject):
         parts += self._table(self.tr("Figures"), self._figures(), heads=self._heads())
         if self._comparison is not None:
             parts += self._table(self.tr("Beside the actual track"), self._compared(self._comparison))
-        for (caption, _), source in zip(self._pictures, sources, strict=True):
-            parts += [f"<h2>{_safe(caption)}</h2>", f'<img src="{source}" width="{width}" alt="{_safe(caption)}">']
+        for index, ((caption, _), source) in enumerate(zip(self._pictures, sources, strict=True)):
+            # A caption stays with its picture.
+            style = ' style="page-break-before: always"' if index else ""
+            parts += [
+                f"<h2{style}>{_safe(caption)}</h2>",
+                f'<img src="{source}" width="{width}" alt="{_safe(caption)}">',
+            ]
         parts += self._table(self.tr("Known elevations"), self._known())
         parts += self._table(self.tr("Settings"), self._settings())
         parts += self._table(self.tr("Segments"), self._segments(), heads=self._segment_heads())
@@ -124,6 +129,10 @@ class Report(QObject):
         actual = None if self._project.actual is None else actual_figures(self._project.actual)
         named = wanted.mean_gradient_is
 
+        def real(name: str) -> float | None:
+            found: float | None = getattr(actual, name, None)
+            return found
+
         def metres(value: float | None) -> str:
             return unit.length(value, 3)
 
@@ -137,14 +146,14 @@ class Report(QObject):
             return cells if actual is None else (*cells, show(real))
 
         return [
-            row(self.tr("Length"), found.length, wanted.length, actual and actual.length, metres),
-            row(self.tr("Height difference"), found.drop, wanted.drop, actual and actual.drop, metres),
-            row(self.tr("Length in plan"), found.plan_length, None, actual and actual.plan_length, metres),
+            row(self.tr("Length"), found.length, wanted.length, real("length"), metres),
+            row(self.tr("Height difference"), found.drop, wanted.drop, real("drop"), metres),
+            row(self.tr("Length in plan"), found.plan_length, None, real("plan_length"), metres),
             row(self.tr("Mean gradient"), mean_of(found, named), wanted.mean_gradient,
-                actual and mean_of(actual, named), gradient),
-            row(self.tr("Largest gradient"), found.max_gradient, wanted.max_gradient, actual and actual.max_gradient,
+                None if actual is None else mean_of(actual, named), gradient),
+            row(self.tr("Largest gradient"), found.max_gradient, wanted.max_gradient, real("max_gradient"),
                 gradient),
-            row(self.tr("Smallest gradient"), found.min_gradient, wanted.min_gradient, actual and actual.min_gradient,
+            row(self.tr("Smallest gradient"), found.min_gradient, wanted.min_gradient, real("min_gradient"),
                 gradient),
             row(self.tr("Scale factor f"), self._run.scale * self._run.inputs.factor, None, None,
                 lambda value: unit.number(value, 5)),
@@ -229,6 +238,12 @@ class Report(QObject):
             )
             lines.append(f"<tr>{cells}</tr>")
         return [*lines, "</table>"]
+
+
+def _row(cells: tuple[str, ...], tag: str) -> str:
+    first, *others = (_safe(cell) for cell in cells)
+    right = "".join(f'<{tag} class="n" align="right">{cell}</{tag}>' for cell in others)
+    return f"<tr><{tag}>{first}</{tag}>{right}</tr>"
 
 
 def _safe(text: str) -> str:

@@ -16,6 +16,7 @@ from bobdesk.project.runs import Run
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.solve.report import Report
+from bobdesk.ui.theme import on_paper
 
 if TYPE_CHECKING:
     from bobdesk.solve.envelope import Envelope
@@ -78,10 +79,12 @@ class ReportSaving(QObject):
         from bobdesk.ui.view3d.scene_making import SceneMaking
 
         line, band, comparison = found
+        with on_paper():
+            in_space = fitted_picture(SceneMaking(self._desk.quantities, self).scene(line, "gradient"))
         picture = draw_line(line, band, run.inputs.targets, title=project.name, kind=".png")
         pictures = [
             (self.tr("Plan, gradient and elevation"), picture),
-            (self.tr("In space"), fitted_picture(SceneMaking(self._desk.quantities, self).scene(line, "gradient"))),
+            (self.tr("In space"), in_space),
         ]
         report = Report(project, run, comparison, pictures, self._desk.quantities, why_out_of_date(project, run))
         try:

@@ -1,4 +1,4 @@
-"""What the strips show of results beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
+"""What the strips show beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
 
 from __future__ import annotations
 

@@ -7,9 +7,9 @@ from PySide6.QtGui import QImage, QPageSize, QPainter, QPdfWriter
 from PySide6.QtSvg import QSvgGenerator
 
 from bobdesk.ui.view3d.camera import Camera
-from bobdesk.ui.view3d.scene import Scene, draw
+from bobdesk.ui.view3d.scene import Scene, draw, with_floor
 
-SIZE = (1400, 900)
+SIZE = (900, 500)
 _DPI = 96
 
 
@@ -30,7 +30,7 @@ def scene_file(scene: Scene, camera: Camera, width: int, height: int, kind: str)
     buffer = QBuffer(content)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     if kind == ".png":
-        scene_image(scene, camera, width, height, ratio=2.0).save(buffer, "PNG")
+        scene_image(scene, camera, width, height, ratio=2.0).save(buffer, b"PNG")
         buffer.close()
         return bytes(content.data())
     device: QSvgGenerator | QPdfWriter
@@ -54,5 +54,5 @@ def scene_file(scene: Scene, camera: Camera, width: int, height: int, kind: str)
 
 def fitted_picture(scene: Scene) -> bytes:
     """Return a PNG that shows everything."""
-    camera = Camera().fitted(scene.points, SIZE[0], SIZE[1] - 120)
+    camera = Camera().fitted(with_floor(scene), SIZE[0], SIZE[1] - 90)
     return scene_file(scene, camera, *SIZE, ".png")

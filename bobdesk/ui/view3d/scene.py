@@ -205,3 +205,13 @@ def _thin(count: int, most: int) -> IntArray:
     if count <= most:
         return np.arange(count)
     return np.linspace(0, count - 1, most).round().astype(np.int64)
+
+
+def with_floor(scene: Scene) -> FloatArray:
+    """Return the points of the line and their feet: what is to be in sight."""
+    if not scene.has_drop_lines:
+        return scene.points
+    feet = scene.points.copy()
+    feet[:, 2] = scene.floor
+    both: FloatArray = np.concatenate([scene.points, feet])
+    return both

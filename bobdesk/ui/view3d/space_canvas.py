@@ -10,10 +10,9 @@ from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from bobdesk.arrays import FloatArray
 from bobdesk.ui.theme import colours
 from bobdesk.ui.view3d.camera import Camera
-from bobdesk.ui.view3d.scene import Scene, draw
+from bobdesk.ui.view3d.scene import Scene, draw, with_floor
 
 _NEAR = 12.0
 _TURN = math.radians(0.4)
@@ -184,15 +183,5 @@ class SpaceCanvas(QWidget):
     def _fit(self) -> None:
         if self._scene is not None:
             self.camera = self.camera.fitted(
-                _with_floor(self._scene), max(self.width(), 50), max(self.height() - 60, 50)
+                with_floor(self._scene), max(self.width(), 50), max(self.height() - 60, 50)
             )
-
-
-def _with_floor(scene: Scene) -> FloatArray:
-    """Return the points of the line and their feet: what is to be in sight."""
-    if not scene.has_drop_lines:
-        return scene.points
-    feet = scene.points.copy()
-    feet[:, 2] = scene.floor
-    both: FloatArray = np.concatenate([scene.points, feet])
-    return both

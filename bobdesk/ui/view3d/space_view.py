@@ -127,9 +127,7 @@ class SpaceView(QWidget):
         self.figure_box.setMinimumContentsLength(16)
         self.drop_box.setChecked(True)
         self.drop_box.setAccessibleName(self.drop_box.text())
-        self.drop_box.setToolTip(
-            self.tr("Verticals from the line to the level of its lowest point, and the plan there")
-        )
+        self.drop_box.setToolTip(self.tr("Verticals down to the level of the lowest point, and the plan there"))
         row.addWidget(self.height_label)
         row.addWidget(self.height_slider)
         row.addWidget(self.figure_box)
