@@ -217,6 +217,8 @@ class Runner(QObject):
         # What is told may ask the user, and a timer does not fire within its own call: other jobs must go on meanwhile.
         self._timer.start()
         for job in tuple(self._jobs):
+            if not job.is_running:
+                continue  # its end is just being told, further down the stack
             try:
                 job.look()
             finally:

@@ -3,6 +3,7 @@ import time
 
 import pytest
 from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtTest import QTest
 
 from bobdesk.errors import InputError
 from bobdesk.progress import Progress
@@ -142,6 +143,7 @@ def test_a_question_asked_at_a_job_s_end_does_not_hold_the_others_up(runner, unt
         runner.start("Second", lambda: counted(3), done=lambda result: (found.append(result), loop.quit()))
         QTimer.singleShot(5000, loop, loop.quit)
         loop.exec()
+        QTest.qWait(60)  # a job that has ended is deleted, but not while its end is being told
         found.append("answered")
 
     runner.start("First", lambda: counted(1), done=ask)
