@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from bobdesk.ui.settings import Settings
+from bobdesk.ui.widgets.long_names import breakable
 
 SaveAnswer = Literal["save", "discard", "cancel"]
 PlanAnswer = Literal["new", "replace", "cancel"]
@@ -135,7 +136,7 @@ class Questions(QObject):
         box = QMessageBox(self._window)
         box.setIcon(QMessageBox.Icon.Question)
         box.setWindowTitle(self.tr("BobDesk"))
-        box.setText(text)
+        box.setText(breakable(text))
         box.setTextFormat(Qt.TextFormat.PlainText)
         return box
 
