@@ -46,6 +46,8 @@ class StatusBar(QStatusBar):
         self._stop.clicked.connect(self._on_stop)
         self._saved = QLabel(self)
         self._saved.setAccessibleName(self.tr("Saved or not"))
+        for label in (self._tool, self._plan, self._doing):
+            label.setMinimumWidth(1)  # the window may be narrower than its sentences; the tool tip has them whole
         self.addWidget(self._tool, 1)
         for widget in (self._place, self._plan, self._doing, self._bar, self._stop, self._saved):
             self.addPermanentWidget(widget)

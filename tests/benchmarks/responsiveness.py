@@ -1,7 +1,7 @@
 """How late a 5 ms timer of the window fires while long work runs beside it, ms.
 
-Run as ``python -m tests.benchmarks.responsiveness``. Work runs on threads of the same interpreter: a step that keeps the
-interpreter to itself holds the window up. "idle" is what the machine itself adds.
+Run as ``python -m tests.benchmarks.responsiveness``. Work runs on threads of the same interpreter: a step that keeps
+the interpreter to itself holds the window up. "idle" is what the machine itself adds.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bobdesk.errors import InputError
-from bobdesk.plan.affine_check import check_affine
+from bobdesk.plan.affine_check import AffineCheck, check_affine
 from bobdesk.plan.calibration_sentences import NO_ESTIMATE, affine_sentence
 from tests.plan.made_points import PIXELS, TRUTH, points_at, same
 
@@ -54,3 +54,9 @@ def test_affine_through_three_points_has_no_error_estimate():
 def test_affine_refuses_what_cannot_tell(points, words):
     with pytest.raises(InputError, match=words):
         check_affine(points)
+
+
+def test_affine_does_not_make_much_of_a_stretch_that_does_not_matter():
+    rounded = AffineCheck(0.5, 0.50005, 1.0001, 1e-5, 2, 0.02, 0.01)
+    assert affine_sentence(rounded).endswith("too little to matter.")
+    assert "distorted" in affine_sentence(AffineCheck(0.5, 0.55, 1.1, 1e-5, 2, 0.02, 0.01))
