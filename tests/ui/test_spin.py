@@ -66,6 +66,14 @@ def test_words_for_the_lowest_number_stay(box):
     assert typed(made, "3") == 3
 
 
+def test_every_number_that_it_shows_it_reads(box):
+    made = box(GERMAN)
+    made.setDecimals(3)
+    made.setValue(406.84)
+    assert made.hasAcceptableInput()
+    assert not made.say_what_is_wrong()
+
+
 def test_arrows_step(box):
     made = box(GERMAN)
     QTest.keyClick(made, Qt.Key.Key_Up)

@@ -129,6 +129,9 @@ class Popup(QFrame):
         ):
             self.take()
             return True
+        if isinstance(watched, Spin) and event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            leaves = event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
+            return leaves and watched.say_what_is_wrong()
         return super().eventFilter(watched, event)
 
     def _box(self, field: Field) -> Spin:
