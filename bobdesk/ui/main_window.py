@@ -68,7 +68,7 @@ class MainWindow(QMainWindow):
         self.steps_bar = StepsBar(self.desk, self)
         self.status = StatusBar(self.desk, self)
         self.start = Start(self.desk, self.documents, self.plans, self)
-        self.panels = WindowPanels(self.desk, self.view, self.plans, self)
+        self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self.views = WindowViews(self.desk, self.start.page, self.view, self)
         self._put_together()
         self.actions_by_name = make_actions(self)

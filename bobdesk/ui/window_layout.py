@@ -124,12 +124,13 @@ class WindowLayout:
             self._window.actions_by_name[name].setIconText(_short(words.replace("&", "")))
 
     def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
-        """Move the focus from steps to tools, plan and panel, and round again."""
+        """Move the focus from steps to tools, plan, strips and panel, and round again."""
         focus = QApplication.focusWidget()
-        parts: list[QWidget] = [steps, self._tools, view, panel]
+        strips = self.strips_dock.widget()
+        parts: list[QWidget] = [steps, self._tools, view, *([] if strips is None else [strips]), panel]
         at = next((index for index, part in enumerate(parts) if focus and part.isAncestorOf(focus)), None)
-        if focus is view:
-            at = 2
+        if focus in parts:
+            at = parts.index(focus)
         for offset in range(1, len(parts) + 1):
             part = parts[((-1 if at is None else at) + offset) % len(parts)]
             if part.isVisible() and _focus_into(part, steps):

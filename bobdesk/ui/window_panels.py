@@ -7,10 +7,12 @@ from collections.abc import Callable
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from bobdesk.project.steps import StepName
+from bobdesk.ui.actions.segment_actions import OF_SEGMENTS
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.panels.centreline_panel import CentrelinePanel
 from bobdesk.ui.panels.plan_panel import PlanPanel
 from bobdesk.ui.panels.scale_panel import ScalePanel
+from bobdesk.ui.panels.segments_panel import ActionsByName, SegmentsPanel
 from bobdesk.ui.plan_view.view import PlanView
 from bobdesk.ui.plans import Plans
 
@@ -21,8 +23,11 @@ _TOOLS = {"flags": "set_start", "auto trace": "auto_trace", "live wire": "live_w
 class WindowPanels:
     """A stack of panels, and the wires between them and the plan view."""
 
-    def __init__(self, desk: Desk, view: PlanView, plans: Plans, window: QWidget) -> None:
+    def __init__(
+        self, desk: Desk, view: PlanView, plans: Plans, actions: Callable[[], ActionsByName], window: QWidget
+    ) -> None:
         self._desk = desk
+        self._actions = actions
         self._view = view
         self._plans = plans
         self.stack = QStackedWidget(window)
@@ -33,12 +38,14 @@ class WindowPanels:
             "Plan": self._plan,
             "Scale": self._scale,
             "Centreline": self._centreline,
+            "Segments": self._segments,
             "Solve": self._solve,
             "Export": self._export,
         }
 
     def show_step(self, step: StepName) -> None:
-        """Show the panel of a step."""
+        """Show the panel of a step, and on the plan what it is about."""
+        self._view.show_step(step)
         if step not in self._makers:
             return
         if step not in self._shown:
@@ -59,9 +66,10 @@ class WindowPanels:
         from bobdesk.ui.solve.result_strips import ResultStrips
         from bobdesk.ui.strips.strip_stack import StripStack
 
-        stack = StripStack(self._desk, self.stack)
-        ResultStrips(self._desk, stack)
-        return stack
+        made = StripStack(self._desk, self.stack)
+        made.set_segment_actions([self._actions()[name] for name in OF_SEGMENTS])
+        ResultStrips(self._desk, made)
+        return made
 
     def _take_tool(self, name: str) -> None:
         """Take the tool that a panel asks for, and give the plan the keyboard."""
@@ -87,6 +95,9 @@ class WindowPanels:
         panel.vertices_wanted.connect(self._view.fit_selection)
         panel.tool_wanted.connect(self._take_tool)
         return panel
+
+    def _segments(self) -> QWidget:
+        return SegmentsPanel(self._desk, self._actions(), self.stack)
 
     def _solve(self) -> QWidget:
         from bobdesk.ui.panels.solve_panel import SolvePanel

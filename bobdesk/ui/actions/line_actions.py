@@ -223,7 +223,8 @@ class LineActions(QObject):
 
     def _has_selection(self) -> bool:
         chosen = self._desk.selection
-        return bool(chosen.vertices) or chosen.control_point is not None
+        boundary = chosen.boundary is not None and self._view.tool_name == "boundaries"
+        return bool(chosen.vertices) or chosen.control_point is not None or boundary
 
     def _has_flags(self) -> bool:
         extent = self._desk.session.project.extent

@@ -93,6 +93,14 @@ class ToolActions(QObject):
                 self.tr("Measure distances and angles in the plan"),
                 "View",
             ),
+            self._row(
+                "boundaries",
+                self.tr("Correct &boundaries"),
+                "B",
+                "segments",
+                self.tr("Select segments and drag their boundaries along the line"),
+                "Segments",
+            ),
         )
 
     def _row(self, name: str, text: str, key: str, icon: str, tip: str, menu: MenuName = "Plan") -> Action:
@@ -124,5 +132,5 @@ class ToolActions(QObject):
         return project.picture is not None or project.source is not None or project.trace is not None
 
 
-_WITH_LINE_OR_PICTURE = ("select", "measure", "set_start", "set_finish", "cut")
+_WITH_LINE_OR_PICTURE = ("select", "measure", "set_start", "set_finish", "cut", "boundaries")
 _IN_CONTEXT = ("select", "draw", "live_wire", "auto_trace", "set_start", "set_finish", "measure", "calibrate")

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QGraphicsView
 
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.tools.auto_trace import AutoTraceTool
+from bobdesk.ui.plan_view.tools.boundaries import BoundariesTool
 from bobdesk.ui.plan_view.tools.calibrate import CalibrateTool
 from bobdesk.ui.plan_view.tools.draw import DrawTool
 from bobdesk.ui.plan_view.tools.flags import FlagTool
@@ -47,6 +48,7 @@ class ToolBox(QObject):
             CalibrateTool(desk, self),
             KnownDistanceTool(desk, self),
             MeasureTool(desk, self),
+            BoundariesTool(desk, self),
         )
         self._tools = {tool.name: tool for tool in made}
         self._current: Tool = made[0]

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from bobdesk.project.project import Project
+from bobdesk.project.steps import StepName
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.canvas import Canvas
 from bobdesk.ui.plan_view.layer_stack import LayerStack
@@ -112,6 +113,15 @@ class PlanView(Canvas):
     def show_place(self, x: float, y: float) -> None:
         """Bring a place of the plan to the middle."""
         self.navigation.show(self.navigation.space.to_scene((x, y)))
+        self.view_changed.emit()
+
+    def show_step(self, step: StepName) -> None:
+        """Show what a step is about, and take the tool that it begins with."""
+        self.layers.show_in_step(step)
+        if step == "Segments" and self.tool_name == "select":
+            self.set_tool("boundaries")
+        elif step != "Segments" and self.tool_name == "boundaries":
+            self.set_tool("select")
         self.view_changed.emit()
 
     def take_back(self) -> bool:

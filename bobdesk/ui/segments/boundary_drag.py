@@ -35,6 +35,11 @@ class BoundaryDrag(QObject):
         """The boundary that is held."""
         return self._boundary
 
+    @property
+    def station(self) -> float:
+        """Where the held boundary is now, m."""
+        return self._station
+
     def boundary_at(self, station: float, reach: float) -> int | None:
         """Return the boundary nearest to a station, if it is within `reach` metres."""
         ends = np.array([segment.end for segment in self._now.segments[:-1]])

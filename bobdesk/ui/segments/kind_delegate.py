@@ -31,7 +31,7 @@ class KindDelegate(QStyledItemDelegate):
         word = str(index.data() or "")
         painter.save()
         if option.state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(option.rect, option.palette.highlight() if False else shade("selected_row"))
+            painter.fillRect(option.rect, shade("selected_row"))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setFont(option.font)
         height = min(option.fontMetrics.height() + 3, option.rect.height() - 4)
@@ -57,7 +57,12 @@ class KindDelegate(QStyledItemDelegate):
         box = QComboBox(parent)
         for kind, word in self._kinds:
             box.addItem(word, kind)
-        box.activated.connect(lambda _row: (self.commitData.emit(box), self.closeEditor.emit(box)))
+
+        def done(_row: int) -> None:
+            self.commitData.emit(box)
+            self.closeEditor.emit(box)
+
+        box.activated.connect(done)
         return box
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:

@@ -192,11 +192,6 @@ class SegmentsModel(QAbstractTableModel):
                 lambda row: self._to_edit(self._segment(row).start), self._set_from,
             ),
             _Column(
-                "to", with_unit(self.tr("To")), self.tr("Station where the segment ends"),
-                lambda row: self._length(self._segment(row).end), lambda row: self._segment(row).end,
-                lambda row: self._to_edit(self._segment(row).end), self._set_to,
-            ),
-            _Column(
                 "length", with_unit(self.tr("Length")), self.tr("Length in plan; typing one moves the end"),
                 lambda row: self._length(self._segment(row).length), lambda row: self._segment(row).length,
                 lambda row: self._to_edit(self._segment(row).length), self._set_length,
@@ -211,6 +206,11 @@ class SegmentsModel(QAbstractTableModel):
                 "name", lambda: self.tr("Name"), self.tr("Curve number or name, as the track has it"),
                 lambda row: self._segment(row).name, lambda row: self._segment(row).name,
                 lambda row: self._segment(row).name, self._operations.rename, is_number=False,
+            ),
+            _Column(
+                "to", with_unit(self.tr("To")), self.tr("Station where the segment ends"),
+                lambda row: self._length(self._segment(row).end), lambda row: self._segment(row).end,
+                lambda row: self._to_edit(self._segment(row).end), self._set_to,
             ),
             _Column(
                 "side", lambda: self.tr("Side"), self.tr("Which way the curve turns"), self._side, self._side,

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QApplication
 
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
 from bobdesk.ui.segments.boundary_drag import BoundaryDrag
+from bobdesk.ui.segments.drag_words import DragWords
 from bobdesk.ui.strips.contents import shade
 from bobdesk.ui.strips.overlay import Overlay, StripPointer
 from bobdesk.ui.strips.strip_painting import Geometry
@@ -35,6 +36,7 @@ class SegmentOverlay(Overlay):
         self._desk = desk
         self._now: AlignmentNow = alignment_now(desk)
         self._drag = drag
+        self._words = DragWords(desk, drag)
         self._has_handles = has_handles
         self._pressed: QPointF | None = None
         self._offset = 0.0
@@ -151,7 +153,7 @@ class SegmentOverlay(Overlay):
         boundary = self._drag.boundary
         if boundary is None or not self._is_moving:
             return
-        lines = drag_lines(self._desk, self._drag)
+        lines = self._words.lines(self._drag)
         font = QApplication.font()
         painter.setFont(font)
         metrics = QFontMetricsF(font)
@@ -168,20 +170,3 @@ class SegmentOverlay(Overlay):
         painter.drawText(
             box.adjusted(8, 4, -8, -4), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop, "\n".join(lines)
         )
-
-
-def drag_lines(desk: Desk, drag: BoundaryDrag) -> list[str]:
-    """Return the figures of a drag in mid-work, a line for the station and one for each side."""
-    unit = desk.quantities
-    sides = drag.sides()
-    station = unit.length(sides[0][0].end, 2)
-    if drag.snapped:
-        station = QCoreApplication.translate("SegmentOverlay", "{station} (at the threshold)").format(station=station)
-    lines = [station]
-    for arrow, (segment, figures) in zip("◀▶", sides, strict=True):
-        parts = [unit.length(segment.length)]
-        if segment.kind == "curve":
-            parts.append(f"R {unit.length(figures.radius)}")
-        parts += [f"∠ {unit.angle(abs(figures.turn))}", f"± {unit.length(figures.deviation, 2)}"]
-        lines.append(f"{arrow} " + "  ".join(parts))
-    return lines

@@ -11,6 +11,7 @@ from bobdesk.arrays import FloatArray
 
 _CLOSEST = 2.0
 _MARGIN = 0.015
+_NOTHING = 1e-9
 
 
 class StationAxis(QObject):
@@ -47,7 +48,8 @@ class StationAxis(QObject):
     @property
     def shows_all(self) -> bool:
         """Whether the whole line is shown."""
-        return (self._low, self._high) == self._whole()
+        first, last = self._whole()
+        return self._low <= first + _NOTHING * self._length and self._high >= last - _NOTHING * self._length
 
     def set_length(self, length: float) -> None:
         """Take a line of another length; what is shown stays unless it was the whole line."""
@@ -113,4 +115,5 @@ def ticks(low: float, high: float, most: int) -> tuple[FloatArray, int]:
     power = 10.0 ** math.floor(math.log10(rough))
     step = next(size * power for size in (1, 2, 5, 10) if size * power >= rough * (1 - 1e-9))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
-    return np.arange(first, last + 1) * step, max(0, -math.floor(math.log10(step) + 1e-9))
+    found: FloatArray = np.arange(first, last + 1).astype(np.float64) * step
+    return found, max(0, -math.floor(math.log10(step) + 1e-9))

@@ -186,7 +186,7 @@ def draw_level(painter: QPainter, on: Geometry, level: Level, shown: float) -> N
         width, height = metrics.horizontalAdvance(level.label) + 8, metrics.height()
         above = y - height - 1 >= on.area.top()
         box = QRectF(on.area.right() - width, y - height - 1 if above else y + 2, width, height)
-        painter.fillRect(box, shade("base", 215))
+        painter.fillRect(box, shade("base", 150))
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, level.label)
 
 

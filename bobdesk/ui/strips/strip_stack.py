@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPoint, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
 
@@ -12,8 +12,10 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.boundary_drag import BoundaryDrag
+from bobdesk.ui.segments.design import design_of
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.strips.curvature_strip import CurvatureStrip
+from bobdesk.ui.strips.design_overlay import DesignOverlay
 from bobdesk.ui.strips.profile_strips import ElevationStrip, GradientStrip
 from bobdesk.ui.strips.range_card import RangeCard
 from bobdesk.ui.strips.segment_overlay import SegmentOverlay
@@ -62,6 +64,8 @@ class StripStack(QWidget):
         self._put_together()
         for strip in (self.curvature, self.gradient, self.elevation):
             self.add_strip(strip)
+        self._design = design_of(desk)
+        self.curvature.add_overlay(DesignOverlay(desk))
         self._connect()
         self._follow()
 
@@ -75,7 +79,7 @@ class StripStack(QWidget):
         strip.add_overlay(SegmentOverlay(self._desk, self.drag, has_handles=not self._strips))
         strip.station_clicked.connect(self._on_clicked)
         strip.range_selected.connect(self.select_range)
-        strip.menu_wanted.connect(self._show_menu)
+        strip.menu_wanted.connect(lambda at: self.menu_at(at).popup(at))
         strip.installEventFilter(self)
         for one in self._strips:
             one.has_axis = False
@@ -121,7 +125,8 @@ class StripStack(QWidget):
 
     def cancel(self) -> bool:
         """Esc: drop a drag, or the selected stretch or boundary; return whether there was something."""
-        if any([strip.cancel() for strip in self._strips]):
+        dropped = [strip.cancel() for strip in self._strips]
+        if any(dropped):
             return True
         if self.clear_range():
             return True
@@ -148,11 +153,11 @@ class StripStack(QWidget):
         elif not (key == Qt.Key.Key_Escape and self.cancel()):
             super().keyPressEvent(event)
 
-    def eventFilter(self, watched: object, event: QEvent) -> bool:  # type: ignore[override]
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Take the keyboard with a click on any strip."""
         if event.type() == QEvent.Type.MouseButtonPress:
             self.setFocus(Qt.FocusReason.MouseFocusReason)
-        return super().eventFilter(watched, event)  # type: ignore[arg-type]
+        return super().eventFilter(watched, event)
 
     def changeEvent(self, event: QEvent) -> None:
         """Draw the icons in the colours of another palette."""
@@ -175,6 +180,7 @@ class StripStack(QWidget):
             button = QToolButton(self)
             button.setIcon(icon(name))
             button.setAutoRaise(True)
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.setToolTip(text)
             button.setAccessibleName(text)
             button.clicked.connect(do)
@@ -197,6 +203,7 @@ class StripStack(QWidget):
         selection.boundary_changed.connect(self._on_selection)
         self._desk.quantities.changed.connect(self._mark_station)
         self._desk.session.document_changed.connect(self._on_document)
+        self._design.changed.connect(self.curvature.update)
         self.card.closed.connect(self.clear_range)
         for strip in (self.gradient, self.elevation):
             strip._later.changed.connect(self._mark_station)
@@ -260,7 +267,8 @@ class StripStack(QWidget):
         inside = station is not None and self.axis.low <= station <= self.axis.high
         self.axis.zoom(factor, station if inside and station is not None else 0.5 * (self.axis.low + self.axis.high))
 
-    def _show_menu(self, at: QPoint) -> None:
+    def menu_at(self, at: QPoint) -> QMenu:
+        """Return the context menu of a place on the screen."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for action in self._segment_actions:
@@ -272,7 +280,7 @@ class StripStack(QWidget):
             menu.addAction(self.tr("Close the selected stretch"), self.clear_range)
         menu.addSeparator()
         self._saving.fill_menu(menu, self._strip_at(at))
-        menu.popup(at)
+        return menu
 
     def _show_save_menu(self) -> None:
         menu = QMenu(self)

@@ -1,0 +1,84 @@
+"""Segments in and out: the table that the commands read and write, and designers' lists to compare with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QFileDialog, QWidget
+
+from bobdesk.errors import InputError
+from bobdesk.files.atomic import write_atomic
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.segments.alignment_now import alignment_now
+from bobdesk.ui.segments.design import design_of
+from bobdesk.ui.segments.operations import operations
+
+
+class SegmentFiles(QObject):
+    """Asks for a file, and says what cannot be used."""
+
+    def __init__(self, desk: Desk, window: QWidget) -> None:
+        super().__init__(window)
+        self._desk = desk
+        self._window = window
+
+    def ask_open(self) -> None:
+        """Ask for a table of segments, and take it."""
+        path = self._asked_open(self.tr("Open segments"), self.tr("Tables (*.csv *.txt *.tsv);;All files (*)"))
+        if path is not None:
+            self.open(path)
+
+    def open(self, path: Path) -> bool:
+        """Take the segments of a table; return whether that worked."""
+        from bobdesk.files.importers.segments_csv import read_segments
+
+        now = alignment_now(self._desk)
+        value = now.known
+        if value is None:
+            self._desk.notices.note(now.problem or self.tr("Segments lie on a line: trace or open one first."))
+            return False
+        try:
+            found = read_segments(path, length=value.line.length)
+        except InputError as error:
+            self._desk.notices.error(str(error))
+            return False
+        return operations(self._desk).take(found, self.tr("Open segments"))
+
+    def ask_save(self) -> None:
+        """Ask where, and save the table of segments."""
+        usual = str(Path(self._desk.settings.folder("export")) / "segments.csv")
+        name, _ = QFileDialog.getSaveFileName(self._window, self.tr("Save segments"), usual, "*.csv")
+        if name:
+            self.save(Path(name) if Path(name).suffix else Path(name + ".csv"))
+
+    def save(self, path: Path) -> bool:
+        """Write the table of segments; return whether that worked."""
+        from bobdesk.files.exporters.tables import segments_table
+
+        value = alignment_now(self._desk).known
+        if value is None:
+            self._desk.notices.note(self.tr("There are no segments to save yet."))
+            return False
+        try:
+            write_atomic(path, segments_table(value.line, value.segments))
+        except InputError as error:
+            self._desk.notices.error(str(error))
+            return False
+        self._desk.settings.set_folder("export", path.parent)
+        self._desk.notices.note(self.tr("Saved as {name}").format(name=path.name))
+        return True
+
+    def ask_design(self) -> None:
+        """Ask for a designer's list, and compare with it."""
+        kinds = self.tr("Lists of curves (*.json *.csv *.txt);;All files (*)")
+        path = self._asked_open(self.tr("Compare with a design"), kinds)
+        if path is not None:
+            design_of(self._desk).read(path)
+
+    def _asked_open(self, title: str, kinds: str) -> Path | None:
+        name, _ = QFileDialog.getOpenFileName(self._window, title, self._desk.settings.folder("open"), kinds)
+        if not name:
+            return None
+        self._desk.settings.set_folder("open", Path(name).parent)
+        return Path(name)

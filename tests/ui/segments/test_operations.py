@@ -1,0 +1,216 @@
+"""What keys, buttons and menus do to segments."""
+
+import dataclasses
+
+import pytest
+from pytestqt.qtbot import QtBot
+
+from bobdesk.alignment.segments import check_segments
+from bobdesk.project import derive, edits
+from bobdesk.project.project import Project
+from bobdesk.ui.actions.segment_actions import SegmentActions
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
+from bobdesk.ui.segments.operations import SegmentOperations, operations
+
+
+@pytest.fixture
+def do(desk: Desk, now: AlignmentNow) -> SegmentOperations:
+    return operations(desk)
+
+
+def test_split_at_the_cursor_selects_the_new_boundary(desk, now, do, told):
+    station = 0.5 * (now.segments[3].start + now.segments[3].end)
+    desk.selection.station = station
+    do.split()
+    assert [segment.end for segment in now.segments[3:5]] == [station, pytest.approx(now.segments[4].end)]
+    assert (desk.selection.boundary, desk.selection.segments) == (3, (4,))
+    assert desk.session.undo_label == "Split segment"
+    assert told == []
+
+
+def test_what_is_not_possible_is_said(desk, now, do, told):
+    before = desk.session.project
+    do.split()
+    assert "is split there" in told[-1]
+    do.flip()
+    assert "Select a segment first" in told[-1]
+    do.delete_boundary()
+    assert "Select a boundary first" in told[-1]
+    desk.selection.segments = (2, 5)
+    do.merge()
+    assert "Only neighbours" in told[-1]
+    do.detect_again()
+    assert "are automatic" in told[-1]
+    do.back_to_automatic()
+    assert "automatic already" in told[-1]
+    desk.selection.station = now.segments[4].start + 0.2
+    do.split()
+    assert "shorter than 3 m" in told[-1]
+    assert desk.session.project is before
+
+
+def test_without_a_line_every_operation_says_so(desk, told):
+    do = operations(desk)
+    for one in (do.split, do.merge, do.flip, do.lock, do.delete_boundary, do.number_curves, do.detect_again):
+        one()
+    assert len(told) == 7
+    assert all("a line comes first" in sentence for sentence in told)
+
+
+def test_merge_takes_the_selection_or_the_nearer_neighbour(desk, now, do):
+    count = len(now.segments)
+    segment = now.segments[4]
+    do.select(4, station=segment.start + 0.2 * segment.length)
+    do.merge()
+    assert (len(now.segments), desk.selection.segments) == (count - 1, (3,))
+    desk.session.undo()
+    do.select(4, station=segment.start + 0.8 * segment.length)
+    do.merge()
+    assert now.segments[4].end > segment.end
+    desk.session.undo()
+    do.select(2)
+    do.select(6, add=True)
+    assert desk.selection.segments == (2, 3, 4, 5, 6)
+    do.merge()
+    assert len(now.segments) == count - 4
+
+
+def test_lock_respects_and_unlocks(desk, now, do, told):
+    do.select(5)
+    do.lock()
+    assert now.segments[5].locked
+    assert not desk.session.project.segments[5].by_hand
+    do.flip()
+    assert "locked" in told[-1]
+    desk.selection.boundary = 5
+    assert do.nudge(1.0)
+    assert "is locked, so this boundary stays" in told[-1]
+    do.lock()
+    assert not now.segments[5].locked
+    assert desk.session.undo_label == "Unlock segment"
+
+
+def test_nudges_in_a_row_are_one_step(desk, now, do):
+    end = now.segments[2].end
+    desk.selection.boundary = 2
+    for _ in range(5):
+        do.nudge(0.1)
+    assert now.segments[2].end == pytest.approx(end + 0.5)
+    desk.session.undo()
+    assert desk.session.undo_label is None
+    assert now.segments[2].end == end
+
+
+def test_next_and_previous_walk_along_the_line(desk, now, do):
+    do.select_next(1)
+    do.select_next(1)
+    assert desk.selection.segments == (1,)
+    assert now.segments[1].start < desk.selection.station < now.segments[1].end
+    do.select_next(-1)
+    do.select_next(-1)
+    assert desk.selection.segments == (0,)
+
+
+def test_detecting_again_keeps_corrections_and_automatic_gives_them_up(desk, now, do, idle):
+    automatic = now.segments
+    do.move_boundary(2, automatic[2].end + 5.0)
+    do.select(8)
+    do.lock()
+    do.change_settings(threshold=0.01)
+    idle()
+    assert now.segments[2].end == automatic[2].end + 5.0
+    assert any(segment == dataclasses.replace(automatic[8], locked=True) for segment in now.segments)
+    assert desk.session.project.segmentation.threshold == 0.01
+    do.back_to_automatic()
+    idle()
+    assert desk.session.project.segments is None
+    desk.session.undo()
+    assert now.segments[2].end == automatic[2].end + 5.0
+
+
+def test_changes_that_follow_each_other_fast_are_all_kept(desk, now, do, idle):
+    do.change_settings(threshold=0.006)
+    do.change_settings(shortest=12.0)
+    do.change_settings(change_cost=7.0)
+    idle()
+    settings = desk.session.project.segmentation
+    assert (settings.threshold, settings.shortest, settings.change_cost) == (0.006, 12.0, 7.0)
+
+
+def test_settings_that_cannot_be_met_are_refused_and_nothing_is_lost(desk, now, do, idle, told):
+    before = desk.session.project
+    do.change_settings(count=900)
+    idle()
+    assert "cannot be told apart" in told[-1]
+    assert desk.session.project is before
+    assert len(now.segments) == 17
+
+
+def test_a_threshold_is_previewed_before_it_is_kept(desk, now, do, idle):
+    before = desk.session.project
+    do.preview_threshold(0.03)
+    idle()
+    assert desk.session.project is before
+    assert now.is_preview
+    assert now.threshold == 0.03
+    shown = now.segments
+    do.change_settings(threshold=0.03)
+    idle()
+    assert not now.is_preview
+    assert [s.end for s in now.segments] == pytest.approx([s.end for s in shown])
+    desk.session.undo()
+    idle()
+    do.preview_threshold(0.02)
+    do.drop_preview()
+    idle()
+    assert not now.is_preview
+    assert len(now.segments) == 17
+
+
+def test_numbers_and_names_survive_detecting_again(desk, now, do, idle):
+    do.number_curves()
+    assert [s.name for s in now.segments if s.kind == "curve"] == [str(n) for n in range(1, 9)]
+    do.rename(3, "Kreisel")
+    do.change_settings(threshold=0.0041)
+    idle()
+    assert sum(s.name == "Kreisel" for s in now.segments) == 1
+    assert desk.session.project.segments is not None
+
+
+def test_a_new_line_gives_new_segments_and_keeps_none_of_the_selection_beyond_them(desk, now, do, idle, track):
+    do.select(16)
+    desk.selection.boundary = 15
+    desk.session.apply("Cut", lambda project: edits.set_finish(project, 200.0))
+    assert not now.is_current
+    idle()
+    assert len(now.segments) < 10
+    assert desk.selection.segments == ()
+    assert desk.selection.boundary is None
+
+
+def test_every_action_is_done_by_its_row(desk: Desk, now: AlignmentNow, window, qtbot: QtBot) -> None:
+    rows = {row.name: row for row in SegmentActions(desk, window).table()}
+    desk.selection.station = 0.5 * (now.segments[5].start + now.segments[5].end)
+    for name in ("flip_kind", "lock_segment", "lock_segment", "split_segment", "delete_boundary", "number_curves"):
+        assert rows[name].enabled()
+        before = desk.session.project
+        rows[name].do()
+        assert desk.session.project is not before, name
+    assert rows["split_segment"].keys == ("X",)
+    desk.session.close()
+    assert not rows["split_segment"].enabled()
+
+
+def test_the_documents_segments_and_those_shown_agree_after_undo(desk: Desk, now: AlignmentNow) -> None:
+    do = operations(desk)
+    seen: list[Project] = []
+    for index in (1, 4, 7):
+        seen.append(desk.session.project)
+        do.flip_one(index)
+    for project in reversed(seen):
+        desk.session.undo()
+        assert desk.session.project is project
+        wanted = derive.segments(project).needed()
+        assert alignment_now(desk).segments == wanted
+        check_segments(wanted, length=now.value.line.length)

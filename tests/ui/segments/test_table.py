@@ -1,0 +1,130 @@
+"""The table of segments."""
+
+import pytest
+from PySide6.QtCore import QLocale, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+
+from bobdesk.ui.segments.kind_delegate import KindDelegate
+from bobdesk.ui.segments.segments_table import SegmentsTable
+
+
+@pytest.fixture
+def table(desk, now, qtbot):
+    made = SegmentsTable(desk)
+    qtbot.addWidget(made)
+    made.resize(900, 500)
+    made.show()
+    return made
+
+
+def cell(table, row, name):
+    return table.segments.index(row, table.segments.column(name))
+
+
+def text(table, row, name):
+    return cell(table, row, name).data()
+
+
+def edit(table, row, name, value):
+    return table.segments.setData(cell(table, row, name), value)
+
+
+def test_every_column_is_filled(now, table):
+    assert [text(table, 0, name) for name in ("#", "kind", "from", "radius", "side")] == [
+        "1",
+        "straight",
+        "0.0",
+        "–",
+        "",
+    ]
+    figures = now.figures[1]
+    assert text(table, 1, "kind") == "curve"
+    assert float(text(table, 1, "radius")) == pytest.approx(figures.radius, abs=0.06)
+    assert text(table, 1, "side") == "left"
+    assert text(table, 1, "turn").endswith("°")
+    assert text(table, 1, "gradient") == "–"
+
+
+def test_stations_lengths_names_and_kinds_are_typed(desk, now, table, told):
+    end = now.segments[1].end
+    assert edit(table, 1, "to", f"{end + 4:.1f}")
+    assert now.segments[1].end == pytest.approx(end + 4, abs=0.06)
+    assert edit(table, 2, "from", str(round(end, 3)))
+    assert edit(table, 1, "length", "40")
+    assert now.segments[1].length == pytest.approx(40)
+    assert edit(table, 1, "name", "Kreisel")
+    assert edit(table, 1, "kind", "straight")
+    assert now.segments[1].kind == "straight"
+    assert now.segments[1].name == "Kreisel"
+    assert not edit(table, 1, "to", "far")
+    assert "Far is not a number" in told[-1]
+    for _ in range(5):
+        desk.session.undo()
+    assert now.segments[1].end == end
+
+
+def test_the_ends_of_the_line_cannot_be_typed(now, table):
+    last = len(now.segments) - 1
+    editable = Qt.ItemFlag.ItemIsEditable
+    assert not table.segments.flags(cell(table, 0, "from")) & editable
+    assert not table.segments.flags(cell(table, last, "to")) & editable
+    assert table.segments.flags(cell(table, 1, "from")) & editable
+
+
+def test_feet_are_typed_as_feet(desk, now, table):
+    desk.settings.length_unit = "ft"
+    assert "ft" in table.segments.headings()[2]
+    assert edit(table, 1, "length", "100")
+    assert now.segments[1].length == pytest.approx(30.48)
+
+
+def test_a_box_locks(desk, now, table):
+    state = Qt.CheckState.Checked.value
+    assert table.segments.setData(cell(table, 3, "lock"), state, Qt.ItemDataRole.CheckStateRole)
+    assert now.segments[3].locked
+
+
+def test_sorting_keeps_rows_and_segments_together(desk, now, table):
+    table.sortByColumn(table.segments.column("length"), Qt.SortOrder.DescendingOrder)
+    longest = max(range(17), key=lambda index: now.segments[index].length)
+    table.selectRow(0)
+    assert desk.selection.segments == (longest,)
+    segment = now.segments[longest]
+    assert desk.selection.station == pytest.approx(0.5 * (segment.start + segment.end))
+    desk.selection.segments = (2, 3)
+    chosen = sorted(table._row_of(index.row()) for index in table.selectionModel().selectedRows())
+    assert chosen == [2, 3]
+
+
+def test_rows_are_copied_as_a_spreadsheet_takes_them(desk, table):
+    desk.selection.segments = (0, 1)
+    QTest.keyClick(table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    lines = QGuiApplication.clipboard().text().split("\n")
+    assert len(lines) == 3
+    rows = [line.split("\t") for line in lines]
+    assert {len(row) for row in rows} == {table.segments.columnCount()}
+    assert rows[1][:2] == ["1", "straight"]
+    assert rows[1][4] == ""
+    QLocale.setDefault(QLocale(QLocale.Language.German))
+    table.copy()
+    assert "," in QGuiApplication.clipboard().text().split("\n")[2].split("\t")[3]
+
+
+def test_letters_do_not_begin_to_edit(table):
+    table.setCurrentIndex(table.model().index(1, 0))
+    QTest.keyClick(table, Qt.Key.Key_X)
+    assert table.state() != table.State.EditingState
+
+
+def test_the_kind_is_chosen_from_a_list(desk, now, table):
+    delegate = table.itemDelegateForColumn(table.segments.column("kind"))
+    assert isinstance(delegate, KindDelegate)
+    index = table.model().index(0, table.segments.column("kind"))
+    table.edit(index)
+    box = table.findChild(
+        type(delegate.createEditor(table, None, index)), options=Qt.FindChildOption.FindChildrenRecursively
+    )
+    box.setCurrentIndex(1)
+    delegate.setModelData(box, table.model(), index)
+    assert now.segments[0].kind == "curve"
