@@ -6,6 +6,7 @@ import pytest
 from bobdesk.errors import InputError
 from bobdesk.plan.affine_check import check_affine
 from bobdesk.plan.calibration_sentences import NO_ESTIMATE, affine_sentence
+from bobdesk.plan.control_points import ControlPoint
 from tests.plan.made_points import PIXELS, TRUTH, points_at, same
 
 
