@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from bobdesk.errors import InputError
-from bobdesk.plan.affine_check import AffineCheck, check_affine
+from bobdesk.plan.affine_check import check_affine
 from bobdesk.plan.calibration_sentences import NO_ESTIMATE, affine_sentence
+from bobdesk.plan.control_points import ControlPoint
 from tests.plan.made_points import PIXELS, TRUTH, points_at, same
 
 
@@ -56,7 +57,9 @@ def test_affine_refuses_what_cannot_tell(points, words):
         check_affine(points)
 
 
-def test_affine_does_not_make_much_of_a_stretch_that_does_not_matter():
-    rounded = AffineCheck(0.5, 0.50005, 1.0001, 1e-5, 2, 0.02, 0.01)
-    assert affine_sentence(rounded).endswith("too little to matter.")
-    assert "distorted" in affine_sentence(AffineCheck(0.5, 0.55, 1.1, 1e-5, 2, 0.02, 0.01))
+def test_a_sure_distortion_of_a_hair_is_called_harmless():
+    corners = [(0, 0), (1000, 0), (1000, 800), (0, 800), (500, 400), (250, 700)]
+    points = [ControlPoint(x, y, 0.5 * x, -0.5 * 1.0002 * y) for x, y in corners]
+    assert affine_sentence(check_affine(points)).endswith("too little to matter.")
+    points = [ControlPoint(x, y, 0.5 * x, -0.5 * 1.02 * y) for x, y in corners]
+    assert "distorted" in affine_sentence(check_affine(points))
