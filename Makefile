@@ -3,11 +3,11 @@ PYTHON ?= python3
 VENV   ?= .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
-ARGS   ?= --help
+ARGS   ?=
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 export PYTHONWARNINGS =
 
-.PHONY: help setup demo run test lint benchmark soak clean
+.PHONY: help setup demo run test lint benchmark screenshots soak clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## */  make \1\t/' | expand -t 20
@@ -24,7 +24,7 @@ $(READY): pyproject.toml constraints.txt packaging/linux/system-libraries
 demo: $(READY)  ## the main job on a bundled sample: leaves CSV and picture in out/
 	@BOBDESK=$(BIN)/bobdesk sh packaging/demo
 
-run: $(READY)  ## start BobDesk: make run ARGS="check PLAN --length 1300 --drop 120"
+run: $(READY)  ## start the window; make run ARGS="check PLAN --length 1300 --drop 120" runs a command
 	@$(BIN)/bobdesk $(ARGS)
 
 test: $(READY)  ## all tests
@@ -38,6 +38,9 @@ lint: $(READY)  ## style, types, and the direction of dependencies
 
 benchmark: $(READY)  ## seconds and memory beside a peer, as a table
 	@$(BIN)/python -m tests.benchmarks
+
+screenshots: $(READY)  ## a picture of every screen and dialog, in out/screenshots
+	@$(BIN)/python packaging/screenshots.py
 
 soak: $(READY)  ## ten minutes of editing, saving and being killed
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 600

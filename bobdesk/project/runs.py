@@ -181,4 +181,5 @@ def thinned_history(rows: FloatArray) -> FloatArray:
     """Return the iterates' figures (n, 8) as they are kept: of more than 2,000, an even choice with both ends."""
     if len(rows) <= MOST_HISTORY_ROWS:
         return rows
-    return rows[np.linspace(0, len(rows) - 1, MOST_HISTORY_ROWS).round().astype(int)]
+    chosen: FloatArray = rows[np.linspace(0, len(rows) - 1, MOST_HISTORY_ROWS).round().astype(int)]
+    return chosen

@@ -88,6 +88,7 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
         smoother = _through_anchors(problem, problem.gradients(result.v))
         passes += 1
         if passes > _PASSES or np.abs(smoother - problem.edge_gradients[: len(smoother)]).max(initial=0.0) < _SPIKE:
+            yield _last(problem, result, tally)
             return _solution(problem, result, settings, tally)
         through = smoother[problem.profile.held]
 
@@ -213,6 +214,25 @@ def _deepest_dip(problem: Problem, gradients: FloatArray) -> float | None:
     if len(inner) == 0:
         return None
     return float(inner[np.abs(inner - problem.profile.stations[row]).argmin()])
+
+
+def _last(problem: Problem, result: Result, tally: Tally) -> Iterate:
+    """Return the result as an iterate: of several ways the best one was chosen, which need not be the last one tried."""
+    gradients = problem.gradients(result.v)
+    tally.nit += 1
+    return Iterate(
+        number=tally.nit - 1,
+        stage="result",
+        gradients=gradients,
+        objective=result.objective,
+        length=problem.length_of(gradients)[0],
+        drop=problem.targets.drop,
+        optimality=result.optimality,
+        step=math.nan,
+        scale=problem.scale,
+        profile=problem.profile,
+        edge_gradients=problem.edge_gradients,
+    )
 
 
 def _solution(problem: Problem, result: Result, settings: PgdSettings, tally: Tally) -> Solution:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
 from bobdesk.project.project import Project
 from bobdesk.project.steps import StepName
@@ -23,6 +23,7 @@ from bobdesk.ui.runner import Runner
 from bobdesk.ui.selection import Selection
 from bobdesk.ui.session import Session
 from bobdesk.ui.settings import Settings
+from bobdesk.ui.solving import solving_of
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
@@ -30,6 +31,7 @@ from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
 from bobdesk.ui.window_panels import WindowPanels
+from bobdesk.ui.window_views import WindowViews
 
 
 class MainWindow(QMainWindow):
@@ -67,9 +69,7 @@ class MainWindow(QMainWindow):
         self.status = StatusBar(self.desk, self)
         self.start = Start(self.desk, self.documents, self.plans, self)
         self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
-        self._stack = QStackedWidget(self)
-        self._stack.addWidget(self.start.page)
-        self._stack.addWidget(self.view)
+        self.views = WindowViews(self.desk, self.start.page, self.view, self)
         self._put_together()
         self.actions_by_name = make_actions(self)
         self.layout_of_window = WindowLayout(self, settings)
@@ -114,6 +114,11 @@ class MainWindow(QMainWindow):
     def has_document(self) -> bool:
         """Whether there is a document."""
         return self.desk.session.is_open
+
+    def export(self) -> None:
+        """Show the export panel, so that Enter saves."""
+        self.go_to("Export")
+        self.panels.take_focus("Export")
 
     def reset_layout(self) -> None:
         """Put docks and bars back where they are at first."""
@@ -171,7 +176,7 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(NoticeBar(self.desk.notices, centre))
-        column.addWidget(self._stack, 1)
+        column.addWidget(self.views, 1)
         self.setCentralWidget(centre)
         self.setStatusBar(self.status)
 
@@ -187,6 +192,8 @@ class MainWindow(QMainWindow):
         self.desk.selection.vertices_changed.connect(self.actions_by_name.refresh)
         self.desk.picture.changed.connect(self.actions_by_name.refresh)
         self.view.tool_changed.connect(self.actions_by_name.refresh)
+        self.views.changed.connect(self.actions_by_name.refresh)
+        solving_of(self.desk).changed.connect(self.actions_by_name.refresh)
 
     def _on_changed(self, _before: Project, _after: Project) -> None:
         self._on_state()
@@ -197,8 +204,7 @@ class MainWindow(QMainWindow):
 
     def _on_state(self) -> None:
         session = self.desk.session
-        is_shown = self._stack.currentWidget() is self.view
-        if is_shown != session.is_open:
+        if self.views.shows_document != session.is_open:
             self._show_document()
         self.setWindowModified(session.is_open and not session.is_saved)
         self.setWindowTitle(f"{self.documents.title}[*]" if session.is_open else "BobDesk")
@@ -207,7 +213,7 @@ class MainWindow(QMainWindow):
 
     def _show_document(self) -> None:
         is_open = self.desk.session.is_open
-        self._stack.setCurrentWidget(self.view if is_open else self.start.page)
+        self.views.show_document(is_open)
         self.layout_of_window.show_document(is_open)
         if is_open:
             project = self.desk.session.project

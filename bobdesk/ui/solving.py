@@ -37,7 +37,7 @@ class _Control:
         self.record = IterateRecord(project.targets.length)
         self.enough = threading.Event()
         self.single = threading.Event()
-        self.pause: Callable[[], None] = self.enough.is_set
+        self.pause: Callable[[], object] = self.enough.is_set
         self.line: Centreline | None = None
         self.inputs: RunInputs | None = None
 

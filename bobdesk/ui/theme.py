@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Literal
 
@@ -135,6 +137,17 @@ def colours() -> Colours:
     return _InForce.colours
 
 
+@contextmanager
+def on_paper() -> Iterator[None]:
+    """Have the light colours in force for a while: paper is white, whatever the screen is."""
+    before = _InForce.colours
+    _InForce.colours = LIGHT
+    try:
+        yield
+    finally:
+        _InForce.colours = before
+
+
 def apply_theme(application: QApplication, theme: Theme) -> None:
     """Bring the whole application to light or dark.
 
@@ -219,7 +232,9 @@ QMenuBar::item:selected {{ background: {of.accent_soft}; }}
 QToolBar {{ background: {of.window}; border: none; spacing: 3px; padding: 3px; }}
 QToolBar::separator {{ background: {of.border}; width: 1px; height: 1px; margin: 4px; }}
 QDockWidget {{ font-weight: 600; }}
+QDockWidget#panel_dock {{ font-size: 12pt; }}
 QDockWidget > QWidget {{ font-weight: 400; }}
+QDockWidget#panel_dock > QWidget {{ font-size: {QApplication.font().pointSizeF()}pt; }}
 QMainWindow::separator {{ background: {of.border}; width: 1px; height: 1px; }}
 QLabel[kind="title"] {{ font-size: 13pt; font-weight: 600; }}
 QLabel[kind="heading"] {{ font-weight: 600; color: {of.muted}; }}

@@ -40,6 +40,7 @@ class WindowPanels:
             "Centreline": self._centreline,
             "Segments": self._segments,
             "Solve": self._solve,
+            "Export": self._export,
         }
 
     def show_step(self, step: StepName) -> None:
@@ -53,12 +54,21 @@ class WindowPanels:
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
 
+    def take_focus(self, step: StepName) -> None:
+        """Give the keyboard to what a step is mostly entered for."""
+        panel = self._shown.get(step)
+        take = getattr(panel, "take_focus", None)
+        if take is not None:
+            take()
+
     def strips(self) -> QWidget:
-        """Return the strips by station."""
+        """Return the strips by station; the plots' library is loaded with them, not before."""
+        from bobdesk.ui.solve.result_strips import ResultStrips
         from bobdesk.ui.strips.strip_stack import StripStack
 
         made = StripStack(self._desk, self.stack)
         made.set_segment_actions([self._actions()[name] for name in OF_SEGMENTS])
+        ResultStrips(self._desk, made)
         return made
 
     def _take_tool(self, name: str) -> None:
@@ -93,3 +103,8 @@ class WindowPanels:
         from bobdesk.ui.panels.solve_panel import SolvePanel
 
         return SolvePanel(self._desk, self.stack)
+
+    def _export(self) -> QWidget:
+        from bobdesk.ui.panels.export_panel import ExportPanel
+
+        return ExportPanel(self._desk, self.stack)

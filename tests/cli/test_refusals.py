@@ -159,13 +159,6 @@ def test_a_call_with_too_little(call, arguments):
     call.refused(*arguments, status=2)
 
 
-def test_no_argument_at_all_shows_the_help_with_status_2(call):
-    said = call()
-    assert said.status == 2
-    assert said.out == ""
-    assert said.err.startswith("Usage: bobdesk")
-
-
 CONTRADICTIONS = [
     (("--known", "900:2"), "900 m lies outside the line"),
     (("--known", "-5:29"), "-5 m lies outside the line"),

@@ -10,6 +10,7 @@ from bobdesk.project.steps import StepName
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.solving import solving_of
+from bobdesk.ui.window_views import WindowViews
 
 
 class SolveStage(Protocol):
@@ -21,23 +22,24 @@ class SolveStage(Protocol):
     def export(self) -> None:
         """Show the export panel with its Save button in focus."""
 
-    def show_in_space(self, on: bool) -> None:
-        """Show the result in three dimensions, or the plan."""
-
-    def is_in_space(self) -> bool:
-        """Whether the result is shown in three dimensions."""
-
     def has_document(self) -> bool:
         """Whether there is a document."""
 
 
 class SolveActions(QObject):
-    """Runs of the document."""
+    """Runs of the document.
 
-    def __init__(self, desk: Desk, stage: SolveStage, parent: QObject) -> None:
+    Parameters
+    ----------
+    views
+        What fills the middle of the window.
+    """
+
+    def __init__(self, desk: Desk, stage: SolveStage, views: WindowViews, parent: QObject) -> None:
         super().__init__(parent)
         self._desk = desk
         self._stage = stage
+        self._views = views
         self._solving = solving_of(desk)
 
     def table(self) -> tuple[Action, ...]:
@@ -74,7 +76,9 @@ class SolveActions(QObject):
                 self.tr("Do one iteration and rest"),
                 "Solve",
                 "run",
-                enabled=lambda: self._stage.has_document() and (not self._solving.is_running or self._solving.is_paused),
+                enabled=lambda: (
+                    self._stage.has_document() and (not self._solving.is_running or self._solving.is_paused)
+                ),
             ),
             Action(
                 "stop_run",
@@ -101,14 +105,14 @@ class SolveActions(QObject):
             Action(
                 "in_space",
                 self.tr("Show in &3D"),
-                self._stage.show_in_space,
+                self._views.show_in_space,
                 ("F9",),
                 "layers",
                 self.tr("Show the result in three dimensions in the place of the plan"),
                 "View",
                 "space",
                 enabled=self._stage.has_document,
-                checked=self._stage.is_in_space,
+                checked=lambda: self._views.is_in_space,
             ),
             Action(
                 "export",

@@ -36,6 +36,8 @@ class DistanceKind:
         For Undo.
     can_be_off
         Whether they have a check box.
+    tool, icon
+        The plan view's tool that adds one.
     """
 
     heading: str
@@ -47,6 +49,8 @@ class DistanceKind:
     change_label: str
     remove_label: str
     can_be_off: bool
+    tool: str
+    icon: str
 
 
 class DistancesPart(Part):
@@ -71,8 +75,8 @@ class DistancesPart(Part):
         self.column.addWidget(self.table)
         self.hint = panel.add_label(kind.empty, "muted", self.column)
         flow = panel.add_buttons(self.column)
-        self.add_button = panel.button(flow, self.tr("Add distance"), kind.add_tip, "measure")
-        self.add_button.clicked.connect(lambda: panel.tool_wanted.emit("measure"))
+        self.add_button = panel.button(flow, self.tr("Add distance"), kind.add_tip, kind.icon)
+        self.add_button.clicked.connect(lambda: panel.tool_wanted.emit(kind.tool))
         self.show_button = panel.button(flow, self.tr("Show"), self.tr("Show the selected distance in the plan"), "eye")
         self.show_button.clicked.connect(self._show_selected)
         self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected distance away"), "delete")

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtGui import QFontDatabase, QGuiApplication
-from PySide6.QtWidgets import QComboBox, QPlainTextEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QPlainTextEdit, QPushButton, QWidget
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
@@ -44,6 +44,8 @@ class ExportPanel(Panel):
             self.format.addItem(known.title)
         self.add_field(form, self.tr("Format"), self.format, self.tr("What the file is to be read by"))
         self.flavour = QComboBox(self)
+        self.flavour.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.flavour.setMinimumContentsLength(18)
         self.flavour.addItems(
             [
                 self.tr("comma, decimal point"),
@@ -61,9 +63,12 @@ class ExportPanel(Panel):
             self.tr("Distance of the rows in plan; leave it empty for the rows that were solved for"),
         )  # fmt: skip
         self._spacing_label: Any = form.labelForField(self.spacing)
-        self.transitions = self.add_value(form, self.tr("Vertical transitions"))
+        self.transitions = QLabel(self)
+        self.transitions.setAccessibleName(self.tr("Vertical transitions"))
+        self.transitions.setToolTip(self.tr("Set among the settings of the method, since they change the result"))
+        form.addRow(self.tr("Vertical transitions"), self.transitions)
         self._preview_section, column = self.add_section(self.tr("Exactly what will be written"))
-        self.size = self.add_label("", "muted", column)
+        self.size_label = self.add_label("", "muted", column)
         self.text = QPlainTextEdit(self)
         self.text.setReadOnly(True)
         self.text.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
@@ -185,7 +190,7 @@ class ExportPanel(Panel):
         self.save_button.setToolTip(self.tr("Write the file (Ctrl+E, then Enter)"))
         if found is None:
             self.text.setPlainText("")
-            self.size.setText(self.later.problem or self.tr("Preparing the file …"))
+            self.size_label.setText(self.later.problem or self.tr("Preparing the file …"))
             self.totals.setText("")
             return
         if self.text.toPlainText() != found.text:
@@ -199,7 +204,7 @@ class ExportPanel(Panel):
             parts.append(self.tr("{count} rows").format(count=unit.number(found.totals.rows, 0)))
         parts.append(self.tr("{size} kB").format(size=unit.number(len(found.content) / 1000, 1)))
         parts.append("UTF-8, BOM" if found.content.startswith(b"\xef\xbb\xbf") else "UTF-8")
-        self.size.setText(" · ".join(parts))
+        self.size_label.setText(" · ".join(parts))
         if found.totals is None:
             self.totals.setText("")
             return

@@ -89,13 +89,15 @@ class ScalePanel(Panel):
         return DistanceKind(
             heading=self.tr("Known distances"),
             empty=self.tr("No known distance yet, such as a scale bar."),
-            add_tip=self.tr("Measure between two clicks, then keep it as a known distance"),
+            add_tip=self.tr("Click both ends of a distance that is known, and type its length"),
             items=lambda project: project.known_distances,
             change=change,
             remove=remove,
             change_label=self.tr("Change known distance"),
             remove_label=self.tr("Remove known distance"),
             can_be_off=True,
+            tool="known_distance",
+            icon="distance",
         )
 
     def _check_kind(self) -> DistanceKind:
@@ -117,4 +119,6 @@ class ScalePanel(Panel):
             change_label=self.tr("Change check distance"),
             remove_label=self.tr("Remove check distance"),
             can_be_off=False,
+            tool="measure",
+            icon="measure",
         )

@@ -23,7 +23,11 @@ from bobdesk.ui.plan_view.layers.trace import TraceLayer
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.tool_box import ToolBox
 
-_WITH_SEGMENTS: tuple[StepName, ...] = ("Segments", "Solve")
+# Layers that belong to some steps only, unless the user switches them.
+_IN_STEPS: dict[str, tuple[StepName, ...]] = {
+    "control_points": ("Plan", "Scale"),
+    "segments": ("Segments", "Solve", "Export"),
+}
 
 
 class LayerStack:
@@ -62,12 +66,13 @@ class LayerStack:
 
     def in_loupe(self) -> list[Layer]:
         """Return the shown layers that a loupe magnifies."""
-        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name != "furniture"]
+        hidden = ("furniture", "flags", "stations")
+        return [layer for layer in self._layers.values() if layer.isVisible() and layer.name not in hidden]
 
     def show_in_step(self, step: StepName) -> None:
-        """Show the segments in the steps that are about them, elsewhere only where they are switched on."""
-        layer = self._layers["segments"]
-        layer.setVisible(step in _WITH_SEGMENTS or self._settings.flag("layer_segments", layer.usually_shown))
+        """Show the layers that belong to a step; what the user has switched stays as it is."""
+        for name, steps in _IN_STEPS.items():
+            self._layers[name].setVisible(self._settings.flag(f"layer_{name}", step in steps))
 
     def set_bounds(self, bounds: QRectF) -> None:
         """Let all layers cover the scene."""

@@ -35,6 +35,7 @@ class Loupe(QWidget):
         super().__init__(parent)
         self.desk = desk
         self._layers = layers
+        self._host = parent
         self._pointer: Pointer | None = None
         self._frame: Frame | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -52,7 +53,8 @@ class Loupe(QWidget):
         right = frame.width - self.width() - _AWAY
         near = QRectF(right, _AWAY, self.width(), self.height()).adjusted(-60, -60, 60, 60)
         self.move(_AWAY if near.contains(pointer.screen) else right, _AWAY)
-        self.update()
+        # An update of its own would have the plan below painted a second time.
+        self._host.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint circle, crosshair and coordinates."""

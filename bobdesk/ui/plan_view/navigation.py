@@ -26,6 +26,8 @@ class Navigation:
         self.space = Space("nothing", QRectF(0, 0, 1, 1))
         self._centre = QPointF()
         self._scale = 1.0
+        # What `fit` has shown, as long as nothing was zoomed or panned since.
+        self._fitted: QRectF | None = None
         self._held_at: QPointF | None = None
         self.space_is_down = False
 
@@ -55,14 +57,17 @@ class Navigation:
         self._scale = (1 - 2 * _MARGIN) * min(port.width() / width, port.height() / height)
         self._centre = part.center()
         self._look()
+        self._fitted = QRectF(part)
 
     def show(self, point: QPointF) -> None:
         """Bring a point of the scene to the middle."""
+        self._fitted = None
         self._centre = QPointF(point)
         self._look()
 
     def zoom(self, factor: float, at: QPointF | None = None) -> None:
         """Zoom, with the point of the viewport `at` staying where it is; the middle if there is none."""
+        self._fitted = None
         port = QRectF(self._view.viewport().rect())
         offset = (port.center() if at is None else at) - port.center()
         stays = self._centre + offset / self._scale
@@ -76,12 +81,16 @@ class Navigation:
 
     def pan(self, by: QPointF) -> None:
         """Move the plan with the hand, screen pixels."""
+        self._fitted = None
         self._centre -= by / self._scale
         self._look()
 
     def refresh(self) -> None:
-        """Look at the same place after the viewport got another size."""
-        self._look()
+        """After the viewport got another size, show again what was fitted, or else the same place."""
+        if self._fitted is not None:
+            self.fit(self._fitted)
+        else:
+            self._look()
 
     def press(self, event: QMouseEvent) -> bool:
         """Begin to pan with the middle button, or the left one while Space is down; return whether it was that."""

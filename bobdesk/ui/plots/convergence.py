@@ -246,8 +246,9 @@ class ConvergencePlot(QWidget):
         of = colours()
         x_low, x_high = self._x_range()
         starts = data.stage_starts
+        ends = [data.numbers[row] for row, _ in starts[1:]] + [data.numbers[-1]]
         free = area.left()
-        for row, stage in starts[:200]:
+        for (row, stage), end in list(zip(starts, ends, strict=True))[:200]:
             x = area.left() + (data.numbers[row] - x_low) / (x_high - x_low) * area.width()
             if not area.left() - 1 <= x <= area.right():
                 continue
@@ -255,7 +256,8 @@ class ConvergencePlot(QWidget):
                 painter.setPen(QPen(QColor(of.muted), 0.8, Qt.PenStyle.DotLine))
                 painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
             text = self.stage_text(self._stages[stage]) if stage < len(self._stages) else ""
-            if x >= free and x + metrics.horizontalAdvance(text) <= area.right():
+            room = area.left() + (end - x_low) / (x_high - x_low) * area.width() - x
+            if x >= free and metrics.horizontalAdvance(text) <= room:
                 painter.setPen(QColor(of.muted))
                 painter.drawText(QPointF(x + 2, area.top() - 5), text)
                 free = x + metrics.horizontalAdvance(text) + 8
@@ -267,6 +269,7 @@ class ConvergencePlot(QWidget):
             "shortest line": self.tr("shortest line"),
             "length": self.tr("meet the length"),
             "published": self.tr("as published"),
+            "result": self.tr("result"),
         }.get(stage, stage)
 
     def _draw_cursor(self, painter: QPainter, area: QRectF, share: float, low: float, high: float) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
@@ -77,10 +77,12 @@ class ConvergencePart(Part):
         self._on_series()
         self._show()
 
-    def refresh_colours(self) -> None:
+    def changeEvent(self, event: QEvent) -> None:
         """Take the colours of another palette."""
-        self._show_icons()
-        self.plot.update()
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "reading"):
+            self._show_icons()
+            self.plot.update()
 
     def _on_changed(self, before: Project, after: Project) -> None:
         if before.run is not after.run:

@@ -42,5 +42,9 @@ def write(project: Project) -> Written:
     if chosen is None:
         raise InputError(f"this program has no format {choice.format[:40]}; choose another one")
     line = run_line(project.run, choice.spacing)
-    content = export_line(line, format=choice.format, flavour=choice.flavour, georeference=run_georeference(project, project.run))
-    return Written(content, preview(content), written_totals(content, name="export" + chosen.extension), chosen.extension)
+    content = export_line(
+        line, format=choice.format, flavour=choice.flavour, georeference=run_georeference(project, project.run)
+    )
+    return Written(
+        content, preview(content), written_totals(content, name="export" + chosen.extension), chosen.extension
+    )

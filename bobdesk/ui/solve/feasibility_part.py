@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from bobdesk.project.project import Project
 from bobdesk.ui.derived import DerivedLater, line_inputs
-from bobdesk.ui.solve.feasibility_box import FeasibilityBox
+from bobdesk.ui.solve.feasibility_box import BoxKind, FeasibilityBox
 from bobdesk.ui.solve.remedies import Remedies
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
@@ -67,5 +67,5 @@ class FeasibilityPart(Part):
                 text = self.tr("Looking …") if waiting else self.tr("A centreline comes first.")
             self.box.say("waiting", text, self._remedies.missing(project, None), is_current=self.later.is_current)
             return
-        kind = "good" if found.feasible and not found.doubt else "doubt"
+        kind: BoxKind = "good" if found.feasible and not found.doubt else "doubt"
         self.box.say(kind, found.sentence, self._remedies.offers(found), is_current=self.later.is_current)

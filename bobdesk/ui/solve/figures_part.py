@@ -50,7 +50,7 @@ class FiguresPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._rows), panel.refuse, parent=self)
         self.table = Table(self.tr("Figures of the result"), self.model, fewest_rows=4, most_rows=10, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("Largest gradient", "8,888.888 m", "≤ 888.88 %", "8,888.888 m", "−88.888 %x"))
+        self.table.fit_columns(("|K2 − K3|, mean, 1/m", "8,888.88", "≥ −88.88", "8,888.88", "−8.888 %"))
         self.column.addWidget(self.table)
         self.note = panel.add_label("", "muted", self.column)
         flow = panel.add_buttons(self.column)
@@ -76,7 +76,10 @@ class FiguresPart(Part):
             "drop-per-plan": self.tr("Mean gradient: height difference divided by the length in plan."),
             "segments": self.tr("Mean gradient: mean of the gradients of all segments."),
         }
-        self.note.setText(definition[run.inputs.targets.mean_gradient_is])
+        note = definition[run.inputs.targets.mean_gradient_is]
+        if project.actual is not None:
+            note += " " + self.tr("z RMS: in percent of the actual height difference.")
+        self.note.setText(note)
 
     def copy(self) -> None:
         """Copy the table as it is shown, with tabs."""
@@ -106,39 +109,46 @@ class FiguresPart(Part):
         unit, wanted, found = self.desk.quantities, run.inputs.targets, run.figures
         actual = None if project.actual is None else actual_figures(project.actual)
         named = wanted.mean_gradient_is
-        length, gradient = unit.length, unit.gradient
+        length = unit.length
 
-        def row(name: str, value: float, target: float | None, real: float | None, show: object, sign: str = "") -> _Row:
+        def row(
+            name: str, value: float, target: float | None, real: float | None, show: object, sign: str = ""
+        ) -> _Row:
             base = real if real is not None else (target if not sign else None)
             apart = "" if not base else self._percent(100 * (value - base) / base)
             shown = "–" if target is None else f"{sign}{show(target)}"  # type: ignore[operator]
             return _Row(name, show(value), shown, "–" if real is None else show(real), apart)  # type: ignore[operator]
 
         def metres(value: float) -> str:
-            return length(value, 3)
+            return length(value, 2, unit=False)
 
+        def gradient(value: float) -> str:
+            return unit.gradient(value, unit=False)
+
+        in_length, in_gradient = f", {unit.length_unit}", f", {unit.gradient_unit}"
         rows = [
-            row(self.tr("Length"), found.length, wanted.length, actual and actual.length, metres),
-            row(self.tr("Height difference"), found.drop, wanted.drop, actual and actual.drop, metres),
-            row(self.tr("Mean gradient"), mean_of(found, named), wanted.mean_gradient,
-                actual and mean_of(actual, named), lambda value: gradient(value, 3)),
-            row(self.tr("Largest gradient"), found.max_gradient, wanted.max_gradient,
-                actual and actual.max_gradient, gradient, "≤ "),
-            row(self.tr("Smallest gradient"), found.min_gradient, wanted.min_gradient,
-                actual and actual.min_gradient, gradient, "≥ "),
-            _Row(self.tr("Length in plan"), metres(found.plan_length), "–",
+            row(self.tr("Length") + in_length, found.length, wanted.length,
+                None if actual is None else actual.length, metres),
+            row(self.tr("Drop") + in_length, found.drop, wanted.drop, None if actual is None else actual.drop, metres),
+            row(self.tr("Mean gradient") + in_gradient, mean_of(found, named), wanted.mean_gradient,
+                None if actual is None else mean_of(actual, named), gradient),
+            row(self.tr("Max. gradient") + in_gradient, found.max_gradient, wanted.max_gradient,
+                None if actual is None else actual.max_gradient, gradient, "≤ "),
+            row(self.tr("Min. gradient") + in_gradient, found.min_gradient, wanted.min_gradient,
+                None if actual is None else actual.min_gradient, gradient, "≥ "),
+            _Row(self.tr("Plan length") + in_length, metres(found.plan_length), "–",
                  "–" if actual is None else metres(actual.plan_length),
                  "" if actual is None else self._percent(100 * (found.plan_length / actual.plan_length - 1))),
-            _Row(self.tr("|K2 − K3| mean"), f"{found.mean_curvature_difference:.3g} 1/m"),
+            _Row(self.tr("|K2 − K3|, mean") + ", 1/m", f"{found.mean_curvature_difference:.3g}"),
         ]  # fmt: skip
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:
             rows += [
-                _Row(self.tr("z RMS"), length(compared.z_rms, 3), "–", "–",
-                     self.tr("{value} % of drop").format(value=unit.number(compared.z_rms_percent, 2))),
-                _Row(self.tr("z largest"), length(compared.z_max, 3), "–", "–",
+                _Row(self.tr("z RMS") + in_length, metres(compared.z_rms), "–", "–",
+                     self._percent(compared.z_rms_percent)),
+                _Row(self.tr("z largest") + in_length, metres(compared.z_max), "–", "–",
                      self.tr("at {station}").format(station=length(compared.z_max_station, 0))),
-                _Row(self.tr("Gradient RMS"), gradient(compared.gradient_rms, 3)),
+                _Row(self.tr("Gradient RMS") + in_gradient, gradient(compared.gradient_rms)),
             ]  # fmt: skip
         return rows
 

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QPushButton
 from bobdesk.project.project import Project
 from bobdesk.ui.icons import icon
 from bobdesk.ui.solving import solving_of
+from bobdesk.ui.theme import colours
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 
@@ -93,7 +94,7 @@ class RunPart(Part):
         else:
             text, name, tip = self.tr("Pause"), "pause", self.tr("Let this run rest; nothing is lost")
         self.run_button.setText(text)
-        self.run_button.setIcon(icon(name))
+        self.run_button.setIcon(icon(name, colours().on_accent))
         self.run_button.setAccessibleName(text)
         self.run_button.setToolTip(tip)
         self.stop_button.setEnabled(running)

@@ -240,7 +240,7 @@ class RunsPart(Part):
                     model.clearSelection()
                 else:
                     model.setCurrentIndex(self.model.index(row, _NAME), flags.ClearAndSelect | flags.Rows)
-                    self.table.scrollTo(self.model.index(row, _NAME))
+                    self.table.scrollTo(self.model.index(row, 0))
             self.table.viewport().update()
         self.delete_button.setEnabled(row is not None)
         self.baseline_button.setEnabled(row is not None)

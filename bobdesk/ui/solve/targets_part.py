@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QMenu, QToolButton, QWidget
 
 from bobdesk.project.project import Project
 from bobdesk.solve.targets import MeanGradientDefinition
@@ -146,14 +146,16 @@ class TargetsPart(Part):
     def _labels(self) -> None:
         """Write the unit behind each label."""
         unit = self.desk.quantities
-        for field, text, sign in (
+        fields: tuple[tuple[QWidget | None, str, str], ...] = (
             (self.length, self.tr("Length (3D)"), unit.length_unit),
             (self.drop, self.tr("Height difference"), unit.length_unit),
             (self.mean.parentWidget(), self.tr("Mean gradient"), unit.gradient_unit),
             (self.lowest.parentWidget(), self.tr("Gradient limits"), unit.gradient_unit),
-        ):
-            label = self._form.labelForField(field)
-            label.setText(f"{text}, {sign}")  # type: ignore[attr-defined]
+        )
+        for field, text, sign in fields:
+            label = None if field is None else self._form.labelForField(field)
+            if isinstance(label, QLabel):
+                label.setText(f"{text}, {sign}")
 
     def _on_units(self) -> None:
         self._labels()

@@ -11,6 +11,7 @@ from bobdesk.project.derive_runs import why_out_of_date
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
+from bobdesk.ui.shown_result import shown_result_of
 from bobdesk.ui.strips.contents import Curve, Level, Marks
 from bobdesk.ui.strips.run_profile import RunProfile, run_profile_later
 from bobdesk.ui.strips.station_axis import StationAxis
@@ -47,6 +48,12 @@ class ProfileStrip(Strip):
             return None
         length = profile.length if self._now.value is None else self._now.value.line.length
         return length * profile.shares
+
+    @property
+    def run_colour(self) -> str:
+        """The one colour of the chosen run."""
+        run = self._desk.session.project.run
+        return "accent" if run is None else shown_result_of(self._desk).colour_of(run)
 
     def follow(self) -> None:
         """Show the chosen run."""
@@ -100,7 +107,7 @@ class GradientStrip(ProfileStrip):
             for key in ("lowest", "highest"):
                 self.set_level(key, None)
             return
-        self.set_curve(RUN, Curve(stations, profile.gradients, "accent", 1.6, column="gradient"))
+        self.set_curve(RUN, Curve(stations, profile.gradients, self.run_colour, 1.6, column="gradient"))
         limits, unit = self._desk.session.project.limits, self._desk.quantities
         low, high = float(profile.gradients.min()), float(profile.gradients.max())
         room = 0.5 * max(high - low, 0.02)
@@ -148,7 +155,7 @@ class ElevationStrip(ProfileStrip):
         if stations is None or profile is None:
             self.set_curve(RUN, None)
         else:
-            self.set_curve(RUN, Curve(stations, profile.elevations, "accent", 1.6, column="elevation_m"))
+            self.set_curve(RUN, Curve(stations, profile.elevations, self.run_colour, 1.6, column="elevation_m"))
         project = self._desk.session.project
         known = project.known_elevations
         if not known:
@@ -156,7 +163,7 @@ class ElevationStrip(ProfileStrip):
             return
         factor = derive.plan_factor(project)
         places = factor * np.array([one.station for one in known])
-        self.set_marks(KNOWN, Marks(places, np.array([one.elevation for one in known])))
+        self.set_marks(KNOWN, Marks(places, np.array([one.elevation for one in known]), is_draggable=True))
 
     def _unit(self) -> str:
         return self._desk.quantities.length_unit

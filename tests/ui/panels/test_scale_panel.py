@@ -253,7 +253,8 @@ def test_buttons_want_tools(desk, opened, panel):
     tools = []
     panel.tool_wanted.connect(tools.append)
     panel.distances.add_button.click()
-    assert tools == ["measure"]
+    panel.checks.add_button.click()
+    assert tools == ["known_distance", "measure"]
 
 
 def test_every_control_has_a_name_and_a_tip(desk, opened, panel):

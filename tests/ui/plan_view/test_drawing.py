@@ -124,6 +124,16 @@ def test_a_line_is_continued_from_either_end(view: PlanView, hand: Hand, desk: D
         assert points(desk)[:3] == pytest.approx(np.array(LINE))
 
 
+def test_a_line_whose_beginning_was_undone_stands_alone(view: PlanView, hand: Hand, desk: Desk) -> None:
+    desk.session.apply("Draw line", lambda before: edits.draw_line(before, LINE))
+    draw(view)
+    hand.click(LINE[-1], (100.0, 300.0))
+    desk.session.undo()
+    view.grab()
+    hand.key(Qt.Key.Key_Return)
+    assert points(desk) == pytest.approx(np.array([LINE[-1], (100.0, 300.0)]), abs=0.6)
+
+
 def test_the_gap_of_a_ring_is_closed(view: PlanView, hand: Hand, desk: Desk) -> None:
     desk.session.apply("Draw line", lambda before: edits.draw_line(before, LINE))
     draw(view)

@@ -53,6 +53,14 @@ def test_the_trace_follows_a_drag_before_it_is_done_and_esc_drops_it(drawn: Plan
     assert desk.session.project is before
 
 
+def test_an_undo_in_mid_drag_drops_the_drag(drawn: PlanView, hand: Hand, desk: Desk) -> None:
+    hand.drag(LINE[3], [(352, 70), (360, 120)], release=False)
+    desk.session.undo()
+    drawn.grab()
+    hand.drag((300, 300), [(310, 310)])
+    assert desk.session.project.trace is None
+
+
 def test_shift_adds_ctrl_toggles_and_all_selected_move_together(drawn: PlanView, hand: Hand, desk: Desk) -> None:
     hand.click(LINE[0])
     assert desk.selection.vertices == (0,)

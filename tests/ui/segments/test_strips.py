@@ -178,7 +178,12 @@ def test_wheel_pan_and_box_zoom_share_one_axis(stack, qtbot):
     assert axis.high - axis.low == pytest.approx((whole[1] - whole[0]) / 1.25**2)
     assert stack.elevation.geometry_now().station(at.x()) == pytest.approx(200.0, abs=1.0)
     low = axis.low
-    drag(stack.elevation, place(stack.elevation, 200.0), place(stack.elevation, 230.0), button=Qt.MouseButton.MiddleButton)
+    drag(
+        stack.elevation,
+        place(stack.elevation, 200.0),
+        place(stack.elevation, 230.0),
+        button=Qt.MouseButton.MiddleButton,
+    )
     assert axis.low == pytest.approx(low - 30, abs=1.5)
     drag(
         stack.curvature, place(stack.curvature, 150.0, 0.1), place(stack.curvature, 250.0, 0.6),

@@ -31,7 +31,13 @@ def edit(table, row, name, value):
 
 
 def test_every_column_is_filled(now, table):
-    assert [text(table, 0, name) for name in ("#", "kind", "from", "radius", "side")] == ["1", "straight", "0.0", "–", ""]
+    assert [text(table, 0, name) for name in ("#", "kind", "from", "radius", "side")] == [
+        "1",
+        "straight",
+        "0.0",
+        "–",
+        "",
+    ]
     figures = now.figures[1]
     assert text(table, 1, "kind") == "curve"
     assert float(text(table, 1, "radius")) == pytest.approx(figures.radius, abs=0.06)
@@ -116,7 +122,9 @@ def test_the_kind_is_chosen_from_a_list(desk, now, table):
     assert isinstance(delegate, KindDelegate)
     index = table.model().index(0, table.segments.column("kind"))
     table.edit(index)
-    box = table.findChild(type(delegate.createEditor(table, None, index)), options=Qt.FindChildOption.FindChildrenRecursively)
+    box = table.findChild(
+        type(delegate.createEditor(table, None, index)), options=Qt.FindChildOption.FindChildrenRecursively
+    )
     box.setCurrentIndex(1)
     delegate.setModelData(box, table.model(), index)
     assert now.segments[0].kind == "curve"

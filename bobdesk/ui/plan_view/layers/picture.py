@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from bobdesk.progress import Progress
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_picture import DecodedPicture
 from bobdesk.ui.plan_view.layers.layer import Layer
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.strokes import pen
@@ -21,6 +22,9 @@ from bobdesk.ui.theme import colours
 _PIXELS_SHOW = 3.0
 
 
+_Seen = tuple[Frame, float, DecodedPicture, float, str]
+
+
 class PictureLayer(Layer):
     """Draws the picture; while it is not ready its outline and how far the reading is."""
 
@@ -29,6 +33,8 @@ class PictureLayer(Layer):
     def __init__(self, desk: Desk, frame: Callable[[], Frame]) -> None:
         super().__init__(desk, frame)
         self.strength = 1.0
+        self._seen: _Seen | None = None
+        self._still: QImage | None = None
         self._job: Job | None = None
         self._progress: Progress | None = None
         desk.picture.changed.connect(self._on_picture)
@@ -42,10 +48,27 @@ class PictureLayer(Layer):
         """Paint the picture, or what stands in for it."""
         decoded = self.desk.picture.decoded
         if decoded is not None:
-            painter.setOpacity(self.strength)
-            draw_picture(painter, decoded.levels, frame)
+            self._draw_decoded(painter, frame, decoded)
         elif self.desk.session.project.picture is not None:
             self._draw_instead(painter, frame)
+
+    def _draw_decoded(self, painter: QPainter, frame: Frame, decoded: DecodedPicture) -> None:
+        """Draw the picture; from the second frame on at the same place, as it was drawn before.
+
+        While something is placed or dragged the picture stands still, and scaling it again would be the most
+        expensive part of the frame.
+        """
+        ratio = painter.device().devicePixelRatioF()
+        seen = (frame, ratio, decoded, self.strength, colours().canvas)
+        if seen == self._seen:
+            if self._still is None:
+                self._still = _still(seen)
+            painter.drawImage(0, 0, self._still)
+            return
+        if frame == self._frame():
+            self._seen, self._still = seen, None
+        painter.setOpacity(self.strength)
+        draw_picture(painter, decoded.levels, frame)
 
     def _draw_instead(self, painter: QPainter, frame: Frame) -> None:
         of = colours()
@@ -80,11 +103,25 @@ class PictureLayer(Layer):
             self._job, self._progress = job, None
             if job is not None:
                 job.progressed.connect(self._on_progress)
+        self._seen, self._still = None, None
         self.update()
 
     def _on_progress(self, progress: Progress) -> None:
         self._progress = progress
         self.update()
+
+
+def _still(seen: _Seen) -> QImage:
+    """Return the view with canvas and picture and nothing else."""
+    frame, ratio, decoded, strength, canvas = seen
+    image = QImage(math.ceil(frame.width * ratio), math.ceil(frame.height * ratio), QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    image.fill(QColor(canvas))
+    painter = QPainter(image)
+    painter.setOpacity(strength)
+    draw_picture(painter, decoded.levels, frame)
+    painter.end()
+    return image
 
 
 def _outline(picture: object, frame: Frame) -> QRectF | None:

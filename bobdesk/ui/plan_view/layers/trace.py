@@ -18,6 +18,8 @@ from bobdesk.ui.plan_view.strokes import draw_line, pen, runs
 from bobdesk.ui.theme import colours
 
 _HANDLE = 7.0
+# Handles that lie close together are smaller, so that they stay apart.
+_SMALL_HANDLE, _ROOMY = 3.0, 10.0
 _CLOSEST = 4.0
 _SURE = 0.5
 
@@ -78,7 +80,8 @@ class TraceLayer(Layer):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         painter.setPen(pen(of.trace, 1.0))
         painter.setBrush(QColor(of.vertex))
-        painter.drawRects(_squares(screen[plain], _HANDLE - 1))
+        apart = np.median(np.hypot(*np.diff(screen, axis=0).T)) if plain.any() else 0.0
+        painter.drawRects(_squares(screen[plain], _HANDLE - 1 if apart >= _ROOMY else _SMALL_HANDLE))
         painter.setBrush(QColor(of.trace_doubtful))
         painter.setPen(pen(of.finish if not of.is_dark else of.vertex, 1.0))
         painter.drawRects(_squares(screen[chosen & inside], _HANDLE + 1))

@@ -58,6 +58,10 @@ class AutoTraceTool(Tool):
         """Go on in the background: a trace that is under way comes when it is ready."""
         self._cursor = None
 
+    def refresh(self) -> None:
+        """Say what can be done now."""
+        self._say()
+
     def reset(self) -> None:
         """Forget the clicks, and stop what is under way."""
         self._clicks.clear()

@@ -44,6 +44,10 @@ class CalibrateTool(Tool):
         """Drop a drag and the form."""
         self.reset()
 
+    def refresh(self) -> None:
+        """Drop a drag: the point may be gone."""
+        self._held = None
+
     def reset(self) -> None:
         """Hold nothing."""
         self._held = self._pressed = self._now = self._new = None

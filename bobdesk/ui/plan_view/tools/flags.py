@@ -51,7 +51,8 @@ class FlagTool(Tool):
         self.reset()
 
     def refresh(self) -> None:
-        """Say what can be done now."""
+        """Drop a drag, and say what can be done now."""
+        self._held, self._at = None, None
         self._say()
 
     def reset(self) -> None:

@@ -49,6 +49,10 @@ class KnownDistanceTool(Tool):
         self._held, self._cursor = None, None
         self._close_popup()
 
+    def refresh(self) -> None:
+        """Drop a drag: the distance may be gone."""
+        self._held = None
+
     def reset(self) -> None:
         """Forget the clicks."""
         self._first = self._second = self._held = None

@@ -129,6 +129,7 @@ class LineTool(Tool):
 
     def finish(self) -> None:
         """Make one edit of what was placed; where that would replace a line, ask first."""
+        self._let_go_of_lost_end()
         if self.line.continues is not None:
             if self.line.pieces:
                 self._continue()
@@ -216,6 +217,16 @@ class LineTool(Tool):
         if self.line.continues is None or not self.line.pieces or not ends:
             return None
         return ends[0] if self.line.continues == "end" else ends[1]
+
+    def _let_go_of_lost_end(self) -> None:
+        """Make a line of its own of what continued a line that is gone, or ends elsewhere now."""
+        origin = self.line.origin
+        if origin is None:
+            return
+        ends = self._ends()
+        if not ends or ends[0 if self.line.continues == "start" else 1] != origin:
+            self.line.continues, self.line.origin = None, None
+            self.line.pieces.insert(0, clicked(origin))
 
     def _take_up(self, pointer: Pointer) -> bool:
         ends = self._ends()

@@ -60,6 +60,7 @@ class SelectTool(Tool):
         self._grip: _Grip | None = None
         self._ghost: int | None = None
         self._hot: int | None = None
+        self._is_dense = False
 
     @property
     def is_dragging(self) -> bool:
@@ -75,7 +76,8 @@ class SelectTool(Tool):
         self.reset()
 
     def refresh(self) -> None:
-        """Say what can be done now."""
+        """Drop a drag of vertices that may be gone; say what can be done now."""
+        self._grip = None
         self._say()
 
     def reset(self) -> None:
@@ -235,6 +237,7 @@ class SelectTool(Tool):
             index, away = nearest_vertex(points, pointer.plan)
             if away <= pointer.reach:
                 hot = index
+                self._is_dense = not handles_shown(points / pointer.px_per_screen)[index]
             middles = 0.5 * (points[:-1] + points[1:])
             edge, from_middle = nearest_vertex(middles, pointer.plan)
             long_enough = np.hypot(*(points[edge + 1] - points[edge])) >= _GHOST_FROM * pointer.px_per_screen
@@ -253,6 +256,8 @@ class SelectTool(Tool):
             self.say(self.tr("Draw or trace the line first; then its vertices are selected and moved here."))
         elif self._ghost is not None:
             self.say(self.tr("Drag to insert a vertex here."))
+        elif self._hot is not None and self._is_dense:
+            self.say(self.tr("Drag to bend the line here; with Alt one vertex moves; Delete removes; arrows nudge."))
         elif self._hot is not None:
             self.say(self.tr("Drag to move; Shift adds to the selection, Ctrl toggles; Delete removes; arrows nudge."))
         else:

@@ -1,0 +1,95 @@
+"""Make a report and put it where the user wants it."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from PySide6.QtCore import QObject
+
+from bobdesk.errors import InputError, TargetError
+from bobdesk.files.atomic import write_atomic
+from bobdesk.progress import Progress
+from bobdesk.project.project import Project
+from bobdesk.project.runs import Run
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.questions import Questions
+from bobdesk.ui.solve.report import Report
+from bobdesk.ui.theme import on_paper
+
+if TYPE_CHECKING:
+    from bobdesk.solve.envelope import Envelope
+    from bobdesk.track.centreline3d import Centreline3D
+    from bobdesk.track.comparison import Comparison
+
+Kind = Literal["pdf", "html"]
+_Found = tuple["Centreline3D", "Envelope | None", "Comparison | None"]
+
+
+def _worked_out(project: Project, run: Run) -> Generator[Progress, None, _Found]:
+    from bobdesk.project.derive_runs import run_comparison, run_envelope, run_line
+
+    yield Progress(0.0, "report")
+    line = run_line(run)
+    try:
+        band = run_envelope(run)
+    except TargetError:
+        band = None
+    return line, band, run_comparison(project, run)
+
+
+class ReportSaving(QObject):
+    """Asks where, works figures out in the background, draws in the window's thread, and writes."""
+
+    def __init__(self, desk: Desk, questions: Questions, parent: QObject) -> None:
+        super().__init__(parent)
+        self._desk = desk
+        self._questions = questions
+
+    def save(self, kind: Kind) -> None:
+        """Ask where and write a report of the shown run."""
+        project = self._desk.session.project
+        if project.run is None:
+            return
+        name = f"{project.name or self.tr('track')}-{project.run.name}.{kind}".replace("/", "-")
+        path = self._questions.file_to_save("export", self.tr("Report"), name, f"{kind.upper()} (*.{kind})", f".{kind}")
+        if path is not None:
+            self.write(kind, path)
+
+    def write(self, kind: Kind, path: Path) -> None:
+        """Write a report of the shown run."""
+        project = self._desk.session.project
+        run = project.run
+        if run is None:
+            return
+
+        def done(found: Any) -> None:
+            self._write(kind, path, project, run, found)
+
+        self._desk.runner.start(
+            self.tr("Preparing the report"), lambda: _worked_out(project, run), done=done,
+            failed=self._desk.notices.error,
+        )  # fmt: skip
+
+    def _write(self, kind: Kind, path: Path, project: Project, run: Run, found: _Found) -> None:
+        from bobdesk.project.derive_runs import why_out_of_date
+        from bobdesk.ui.plots.picture import draw_line
+        from bobdesk.ui.view3d.picture import fitted_picture
+        from bobdesk.ui.view3d.scene_making import SceneMaking
+
+        line, band, comparison = found
+        with on_paper():
+            in_space = fitted_picture(SceneMaking(self._desk.quantities, self).scene(line, "gradient"))
+        picture = draw_line(line, band, run.inputs.targets, title=project.name, kind=".png")
+        pictures = [
+            (self.tr("Plan, gradient and elevation"), picture),
+            (self.tr("In space"), in_space),
+        ]
+        report = Report(project, run, comparison, pictures, self._desk.quantities, why_out_of_date(project, run))
+        try:
+            write_atomic(path, report.pdf() if kind == "pdf" else report.html())
+        except InputError as error:
+            self._desk.notices.error(str(error))
+            return
+        self._desk.notices.note(self.tr("Written to {name}.").format(name=path.name))
