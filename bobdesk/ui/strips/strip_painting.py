@@ -144,8 +144,17 @@ def _draw_title(painter: QPainter, words: Words, width: float) -> None:
 
 def draw_empty(painter: QPainter, on: Geometry, sentence: str) -> None:
     """Say why there is nothing to see."""
+    if not sentence:
+        return
+    painter.setFont(_font(1.0))
+    there = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    box = painter.boundingRect(on.area, int(there), sentence).adjusted(-10, -3, 10, 3)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(shade("base", 225))
+    painter.drawRoundedRect(box, 4, 4)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(shade("muted"))
-    painter.drawText(on.area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, sentence)
+    painter.drawText(on.area, int(there), sentence)
 
 
 def draw_band(painter: QPainter, on: Geometry, band: Band, to_shown: Callable[[FloatArray], FloatArray]) -> None:
