@@ -33,7 +33,12 @@ def scene(points, **values):
     points = np.asarray(points, dtype=float)
     plain = np.zeros(len(points), dtype=bool)
     return Scene(
-        points, colouring("elevation", points[:, 2]), values.pop("is_curve", plain), plain, has_drop_lines=False, **values
+        points,
+        colouring("elevation", points[:, 2]),
+        values.pop("is_curve", plain),
+        plain,
+        has_drop_lines=False,
+        **values,
     )
 
 
