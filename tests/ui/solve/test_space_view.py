@@ -35,7 +35,7 @@ def scene(points, **values):
     return Scene(
         points,
         colouring("elevation", points[:, 2]),
-        values.pop("is_curve", plain),
+        values.pop("is_curve"),
         plain,
         has_drop_lines=False,
         **values,
