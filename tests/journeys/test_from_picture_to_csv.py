@@ -13,6 +13,8 @@ from bobdesk.track.comparison import compare
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_thin"
 _STRIP = "window.layout_of_window.strips_dock.widget().curvature"
 
+_SEGMENTS = "__import__('bobdesk.project.derive', fromlist=['segments']).segments(project)"
+
 
 def place_on_strip(program, station):
     """Where a station is on the curvature strip, on the screen."""
@@ -60,11 +62,8 @@ def test_the_mission(opened, tmp_path):
     # One boundary, dragged on the strip.
     program.key("ctrl+4")
     program.until(f"{_STRIP}.isVisible()")
-    program.until("window.findChild(type(window), 'none') is None and __import__('bobdesk.project.derive',"
-                  " fromlist=['segments']).segments(project).value is not None")  # fmt: skip
-    boundary = program.ask(
-        "__import__('bobdesk.project.derive', fromlist=['segments']).segments(project).value[2].start"
-    )
+    program.until(f"{_SEGMENTS}.value is not None")
+    boundary = program.ask(f"{_SEGMENTS}.value[2].start")
     program.until(f"{_STRIP}.geometry_now() is not None")
     start = place_on_strip(program, boundary)
     end = place_on_strip(program, boundary + 8)
@@ -84,7 +83,7 @@ def test_the_mission(opened, tmp_path):
     # Two elevations that are known, at the thirds.
     for share in (1 / 3, 2 / 3):
         station = share * about["plan_length_m"]
-        row = int(round(station))
+        row = round(station)
         program.ask(f"setattr(desk.selection, 'station', {station})")
         program.click_on("Add")
         program.until("len(project.known_elevations) > 0")

@@ -178,7 +178,7 @@ class ExportPanel(Panel):
         is_table = self._format().is_table
         self.flavour.setVisible(is_table)
         self._flavour_label.setVisible(is_table)
-        self._spacing_label.setText(f"{self.tr('Row spacing')}, {unit.length_unit}")
+        self._spacing_label.setText(self.tr("Row spacing") + f", {unit.length_unit}")
         self.spacing.show_value(None if choice.spacing is None else choice.spacing * unit.length_factor)
         if project.run is not None:
             solved = project.run.inputs.settings
