@@ -96,7 +96,7 @@ class FiguresPart(Part):
             Column(lambda: self.tr("Target"), self.tr("What it was to meet"), lambda row: self._rows[row].target),
             Column(lambda: self.tr("Actual"), self.tr("Of the actual track"), lambda row: self._rows[row].actual),
             Column(
-                lambda: self.tr("Deviation"),
+                lambda: self.tr("Off by"),
                 self.tr("From the actual track, or from the target where there is none"),
                 lambda row: self._rows[row].deviation,
             ),
