@@ -44,7 +44,8 @@ class Gestures:
         self._window = window
         self._chance = chance
         self._kinds: tuple[Callable[[], None], ...] = (
-            self._trigger, self._trigger, self._target, self._go, self._undo, self._key, self._known, self._space, self._run,
+            self._trigger, self._trigger, self._target, self._go, self._undo, self._key, self._known, self._space,
+            self._run,
         )  # fmt: skip
 
     def one(self) -> str:
