@@ -46,6 +46,7 @@ class RunsPart(Part):
         )
         self.model.colour_of = self._colour_of
         self.table = Table(self.tr("Runs"), self.model, fewest_rows=2, most_rows=8, parent=self)
+        self.table.setObjectName("runs_table")
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self._fit()
         self.column.addWidget(self.table)
