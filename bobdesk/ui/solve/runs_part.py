@@ -31,6 +31,8 @@ class RunsModel(ColumnsModel):
         if role == Qt.ItemDataRole.DecorationRole and index.column() == _NAME and self.colour_of is not None:
             colour = self.colour_of(index.row())
             return _dot(colour) if colour else None
+        if role == Qt.ItemDataRole.CheckStateRole and self.colour_of is not None and not self.colour_of(index.row()):
+            return None
         return super().data(index, role)
 
 
