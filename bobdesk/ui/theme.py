@@ -258,6 +258,11 @@ QPushButton[kind="primary"]:disabled {{ background: {of.border}; border-color: {
 QPushButton[kind="primary"]:focus {{ border: 2px solid {of.text}; }}
 QPushButton[kind="link"] {{ border: none; background: transparent; color: {of.accent}; text-decoration: underline;
     padding: 2px; }}
+QToolButton[kind="chip"] {{ border: 1px solid {of.border}; border-radius: 4px; padding: 2px 6px; color: {of.muted}; }}
+QToolButton[kind="chip"]:checked {{ border-color: {of.accent}; background: {of.accent_soft}; color: {of.text}; }}
+QToolButton[kind="chip"]:focus {{ border: 2px solid {of.accent}; }}
+QTableView#runs_table::indicator {{ width: 11px; height: 11px; border: 1px solid {of.muted}; background: {of.base}; }}
+QTableView#runs_table::indicator:checked {{ border-color: {of.accent}; background: {of.accent}; }}
 QTableView {{ gridline-color: {of.border}; selection-background-color: {of.selected_row};
     selection-color: {of.text}; }}
 QHeaderView::section {{ background: {of.window}; color: {of.muted}; font-weight: 600; border: none;
