@@ -22,15 +22,16 @@ from bobdesk.cli.options import (
 )
 from bobdesk.cli.reports import run_report
 from bobdesk.cli.solver import solver_options, taken_solver_options
-from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json, with_progress
+from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, to_json, with_progress
 from bobdesk.cli.targets import taken_target_options
 from bobdesk.errors import TargetError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
 from bobdesk.solve.anchors import anchors_of
-from bobdesk.solve.envelope import Envelope, envelope
+from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
+from bobdesk.solve.iterates import Solution
 from bobdesk.solve.run import SolverMethod, method_named
 from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
@@ -57,6 +58,12 @@ from bobdesk.track.figures import Figures, deviations, figures
 @click.option(
     "--envelope", "band", type=FILE, metavar="E.csv", help="Write the band that all possible profiles lie in."
 )
+@click.option(
+    "--gradient-change",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="PER_M",
+    help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m. Not limited without.",
+)
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
 @strict_option
 def command(
@@ -70,6 +77,7 @@ def command(
     flavour: str,
     report: Path | None,
     band: Path | None,
+    gradient_change: float | None,
     picture: Path | None,
     strict: bool,
     **options: Any,
@@ -117,8 +125,7 @@ def command(
     files: dict[Path, bytes] = {}
     shown: Envelope | None = None
     if band is not None or picture is not None:
-        anchors = anchors_of(given.targets, given.centreline.length)
-        shown = envelope(solution.profile.stations, anchors, given.targets, scale=solution.scale)
+        shown = _band(given, solution, gradient_change)
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
     if picture is not None:
@@ -136,6 +143,15 @@ def command(
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
+
+
+def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelope:
+    anchors = anchors_of(given.targets, given.centreline.length)
+    if change is None:
+        return envelope(solution.profile.stations, anchors, given.targets, scale=solution.scale)
+    job = smooth_envelope(anchors, given.targets, largest_change=change, scale=solution.scale)
+    band = with_progress(job, "the band")
+    return between_stations(band, solution.scale * solution.profile.stations, largest_change=change)
 
 
 def _title(plan: Path, found: Figures) -> str:

@@ -228,3 +228,14 @@ def test_level_out_lets_the_gradient_die_out_before_the_end(call):
     call.refused(
         "reconstruct", call.plan, *TARGETS, "--level-out", -1, "-o", call.path("m.csv"), status=2
     )  # fmt: skip
+
+
+def test_a_bounded_change_of_gradient_narrows_the_envelope(call, results):
+    wide = pd.read_csv(results.path("e.csv"))
+    said = call(
+        "reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--envelope", call.path("e.csv"),
+        "--gradient-change", "0.001",
+    )  # fmt: skip
+    assert said.status == 0, said.err
+    tight = pd.read_csv(call.path("e.csv"))
+    assert (tight.z_max_m - tight.z_min_m).mean() < (wide.z_max_m - wide.z_min_m).mean()
