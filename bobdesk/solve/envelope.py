@@ -106,8 +106,8 @@ def smooth_envelope(
     TargetError
         If no profile meets all.
     """
-    at = grid_with(scale * stations_of(anchors), step)
-    low, high = _allowed(at, anchors, scale)
+    at = grid_of(anchors, scale=scale, step=step)
+    low, high = allowed_elevations(at, anchors, scale=scale)
     cells = np.diff(at)
     most = largest_change * 0.5 * (cells[1:] + cells[:-1])
     total = 2 * len(cells)
@@ -151,16 +151,17 @@ def between_stations(band: Envelope, stations: FloatArray, *, largest_change: fl
     return Envelope(stations, np.maximum(lowest, 0.0), highest)
 
 
-def grid_with(known: FloatArray, step: float = GRID) -> FloatArray:
-    """Return stations at most `step` apart, equally spaced between each two known ones, (n,), m."""
+def grid_of(anchors: Anchors, *, scale: float = 1.0, step: float = GRID) -> FloatArray:
+    """Return stations of true size at most `step` apart, equally spaced between each two anchors, (n,), m."""
+    known = scale * stations_of(anchors)
     parts = [known[:1]]
     for start, end in pairwise(known.tolist()):
         parts.append(np.linspace(start, end, max(1, int(np.ceil((end - start) / step - 1e-9))) + 1)[1:])
     return np.concatenate(parts)
 
 
-def _allowed(at: FloatArray, anchors: Anchors, scale: float) -> tuple[FloatArray, FloatArray]:
-    """Return the lowest and highest elevation that each station may have by itself, (n,), (n,), m."""
+def allowed_elevations(at: FloatArray, anchors: Anchors, *, scale: float = 1.0) -> tuple[FloatArray, FloatArray]:
+    """Return the lowest and highest elevation that each station of a grid may have by itself, (n,), (n,), m."""
     low, high = np.zeros(len(at)), np.full(len(at), np.inf)
     tolerances = np.array([anchor.tolerance for anchor in anchors])
     rows = np.searchsorted(at, scale * stations_of(anchors) - 1e-9)

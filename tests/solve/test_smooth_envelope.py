@@ -12,7 +12,7 @@ from scipy.optimize import linprog
 from bobdesk.errors import TargetError
 from bobdesk.progress import finish
 from bobdesk.solve.anchors import anchors_of
-from bobdesk.solve.envelope import between_stations, envelope, grid_with, smooth_envelope
+from bobdesk.solve.envelope import between_stations, envelope, grid_of, smooth_envelope
 from bobdesk.solve.targets import KnownElevation, Targets
 from tests.solve.made_plans import real_line
 
@@ -91,8 +91,8 @@ def test_every_smooth_profile_lies_inside_at_any_station(seed, count, tolerance)
 
 def test_it_narrows_the_band_of_the_limits_and_meets_it_where_any_change_is_allowed():
     targets = Targets(1510.0, 120.0, known=(KnownElevation(600.0, 60.0, 0.5),))
-    grid = grid_with(np.array([0.0, 600.0, 1500.0]))
-    wide = envelope(grid, anchors_of(targets, 1500.0), targets)
+    anchors = anchors_of(targets, 1500.0)
+    wide = envelope(grid_of(anchors), anchors, targets)
     tight = band(targets)
     assert (tight.lowest >= wide.lowest - 1e-9).all()
     assert (tight.highest <= wide.highest + 1e-9).all()
