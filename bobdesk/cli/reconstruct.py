@@ -20,7 +20,7 @@ from bobdesk.cli.options import (
     strict_option,
     target_options,
 )
-from bobdesk.cli.reports import run_report
+from bobdesk.cli.reports import advice_report, own_station, run_report
 from bobdesk.cli.solver import solver_options, taken_solver_options
 from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, to_json, with_progress
 from bobdesk.cli.targets import taken_target_options
@@ -32,10 +32,11 @@ from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
 from bobdesk.solve.iterates import Solution
+from bobdesk.solve.next_elevation import NextElevation, next_elevation
 from bobdesk.solve.run import SolverMethod, method_named
 from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
-from bobdesk.track.centreline3d import make_centreline3d
+from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
 
 
@@ -126,8 +127,10 @@ def command(
     shown: Envelope | None = None
     if band is not None or picture is not None:
         shown = _band(given, solution, gradient_change)
+    advice: NextElevation | None = None
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
+        advice = _advice(given, solution, line)
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
@@ -136,13 +139,18 @@ def command(
         )
     if report is not None:
         off = deviations(found, given.asked)
-        files[report] = to_json(run_report(given, possible, solution, line, found, off, seconds))
+        said = run_report(given, possible, solution, line, found, off, seconds)
+        if advice is not None:
+            said["next_known_elevation"] = advice_report(given, solution, advice)
+        files[report] = to_json(said)
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
     notes = _notes(possible, method, given.asked, settings.weights)
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
+    if advice is not None:
+        click.echo(_advised(given, solution, advice))
 
 
 def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelope:
@@ -152,6 +160,20 @@ def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelop
     job = smooth_envelope(anchors, given.targets, largest_change=change, scale=solution.scale)
     band = with_progress(job, "the band")
     return between_stations(band, solution.scale * solution.profile.stations, largest_change=change)
+
+
+def _advice(given: PlanInput, solution: Solution, line: Centreline3D) -> NextElevation:
+    anchors = anchors_of(given.targets, given.centreline.length)
+    estimate = (line.stations, line.elevations)
+    return next_elevation(anchors, given.targets, estimate=estimate, scale=solution.scale)
+
+
+def _advised(given: PlanInput, solution: Solution, advice: NextElevation) -> str:
+    station = own_station(given, solution, advice)
+    return (
+        f"one more known elevation would help most at {station:.0f} m of the plan: the band,"
+        f" {advice.band.mean_width:.1f} m wide on the mean, would be {advice.gain:.1f} m narrower"
+    )
 
 
 def _title(plan: Path, found: Figures) -> str:

@@ -66,17 +66,24 @@ def envelope(stations: FloatArray, anchors: Anchors, targets: Targets, *, scale:
         If no profile meets all.
     """
     at = scale * stations
+    lowest, highest = cone_of(at, anchors, targets, scale=scale)
+    lowest = np.maximum(lowest, 0.0)
+    if (lowest > highest + 1e-9 * max(1.0, targets.drop)).any():
+        worst = float(at[(lowest - highest).argmax()])
+        raise TargetError(f"no profile within the limits meets the known elevations around {worst:.1f} m")
+    return Envelope(at, lowest, np.maximum(highest, lowest))
+
+
+def cone_of(at: FloatArray, anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> tuple[FloatArray, FloatArray]:
+    """Return where the cones from all known elevations meet, lowest and highest at stations of true size, (n,), m."""
     known, elevations = scale * stations_of(anchors), elevations_of(anchors)
     tolerances = np.array([anchor.tolerance for anchor in anchors])
     ahead = at[:, None] - known[None, :]
     fastest = np.where(ahead >= 0, targets.max_gradient, targets.min_gradient) * ahead
     slowest = np.where(ahead >= 0, targets.min_gradient, targets.max_gradient) * ahead
-    lowest = np.maximum((elevations - tolerances - fastest).max(axis=1), 0.0)
-    highest = (elevations + tolerances - slowest).min(axis=1)
-    if (lowest > highest + 1e-9 * max(1.0, targets.drop)).any():
-        worst = float(at[(lowest - highest).argmax()])
-        raise TargetError(f"no profile within the limits meets the known elevations around {worst:.1f} m")
-    return Envelope(at, lowest, np.maximum(highest, lowest))
+    lowest: FloatArray = (elevations - tolerances - fastest).max(axis=1)
+    highest: FloatArray = (elevations + tolerances - slowest).min(axis=1)
+    return lowest, highest
 
 
 def smooth_envelope(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -136,9 +137,7 @@ def _direction(random: np.random.Generator, count: int) -> FloatArray:
     return bump
 
 
-def _moved(
-    elevations: FloatArray, first: int, lift: FloatArray, bounds: _Bounds, random: np.random.Generator
-) -> None:
+def _moved(elevations: FloatArray, first: int, lift: FloatArray, bounds: _Bounds, random: np.random.Generator) -> None:
     """Move all profiles, in place, along one direction by as much as is drawn for each."""
     total = elevations.shape[1]
     last = first + len(lift) - 1
@@ -178,8 +177,11 @@ def _well_inside(bounds: _Bounds) -> FloatArray:
     from scipy.optimize import linprog
 
     cells, count = bounds.cells, len(bounds.low)
-    gradients = sparse.csr_array(sparse.diags_array([1 / cells, -1 / cells], offsets=[0, 1], shape=(count - 1, count)))
-    rows = [gradients, -gradients]
+    at = np.arange(count - 1)
+    values, columns = np.concatenate([1 / cells, -1 / cells]), np.concatenate([at, at + 1])
+    # The stubs of SciPy's sparse arrays and of linprog do not know each other.
+    gradients: Any = sparse.csr_array((values, (np.tile(at, 2), columns)), shape=(count - 1, count))
+    rows: list[Any] = [gradients, -gradients]
     limits = [np.full(count - 1, bounds.max_gradient), np.full(count - 1, -bounds.min_gradient)]
     room = [np.full(2 * (count - 1), bounds.max_gradient - bounds.min_gradient)]
     if bounds.most is not None:
@@ -188,19 +190,21 @@ def _well_inside(bounds: _Bounds) -> FloatArray:
         limits += [bounds.most, bounds.most]
         room += [bounds.most, bounds.most]
     free = np.flatnonzero(bounds.high - bounds.low > _NOTHING)
-    some = sparse.csr_array((np.ones(len(free)), (np.arange(len(free)), free)), shape=(len(free), count))
+    some: Any = sparse.csr_array((np.ones(len(free)), (np.arange(len(free)), free)), shape=(len(free), count))
     span = np.minimum(bounds.high - bounds.low, 1.0)[free]
     rows.append(-some)
     limits.append(-bounds.low[free])
     room.append(span)
-    matrix = sparse.hstack([sparse.vstack(rows), np.concatenate(room)[:, None]])
+    shares: Any = sparse.csr_array(np.concatenate(room)[:, None])
+    matrix: Any = sparse.csr_array(sparse.hstack([sparse.vstack(rows), shares]))
     ends = np.stack([bounds.low, bounds.high], axis=1)
+    within: Any = np.vstack([ends, [[0.0, 0.1]]])
     # The last unknown is the share of its room that every limit keeps free; 0.1 and more is well inside.
     found = linprog(
         np.append(np.zeros(count), -1.0),
-        sparse.csr_array(matrix),
+        matrix,
         np.concatenate(limits),
-        bounds=np.vstack([ends, [[0.0, 0.1]]]),
+        bounds=within,
     )
     if found.status != 0:
         raise TargetError("no profile within the limits meets the drop and the known elevations")

@@ -239,3 +239,9 @@ def test_a_bounded_change_of_gradient_narrows_the_envelope(call, results):
     assert said.status == 0, said.err
     tight = pd.read_csv(call.path("e.csv"))
     assert (tight.z_max_m - tight.z_min_m).mean() < (wide.z_max_m - wide.z_min_m).mean()
+
+
+def test_the_report_says_where_one_more_known_elevation_helps_most(results):
+    advice = json.loads(results.path("r.json").read_text("utf-8"))["next_known_elevation"]
+    assert 100 < advice["station"] < 600
+    assert 0 < advice["envelope_mean_width_with_it_m"] < 0.8 * advice["envelope_mean_width_m"]
