@@ -72,7 +72,8 @@ def sample_profiles(
 
     From a profile well inside the limits each of `count` chains goes on a random way along random
     directions: a stretch of the line is lifted as a block or as a smooth bump, by an amount drawn
-    evenly from all that keep to the limits. That leaves the uniform distribution as it is, and reaches it from anywhere.
+    evenly from all that keep to the limits. That leaves the uniform distribution as it is,
+    and reaches it from anywhere.
 
     The profiles are likely only in the sense of a volume. Of fine grids nearly all profiles are rough
     and keep near the middle of the band, which real tracks do not know; the envelope is the bound.
@@ -200,7 +201,7 @@ def _well_inside(bounds: _Bounds) -> FloatArray:
     ends = np.stack([bounds.low, bounds.high], axis=1)
     within: Any = np.vstack([ends, [[0.0, 0.1]]])
     # The last unknown is the share of its room that every limit keeps free; 0.1 and more is well inside.
-    found = linprog(
+    found: Any = linprog(
         np.append(np.zeros(count), -1.0),
         matrix,
         np.concatenate(limits),
