@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from bobdesk.cli.main import UnmetTargetsError
+from bobdesk.cli.open_data import open_data_files, open_data_options, taken_open_data_options
 from bobdesk.cli.options import (
     FILE,
     SeveralValues,
@@ -65,6 +66,7 @@ from bobdesk.track.figures import Figures, deviations, figures
     metavar="PER_M",
     help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m. Not limited without.",
 )
+@open_data_options
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
 @strict_option
 def command(
@@ -92,8 +94,9 @@ def command(
     said, and `bobdesk check` says it beforehand.
     """
     solver = taken_solver_options(options)
+    about_errors = taken_open_data_options(options)
     asked = taken_target_options(plan, **options)
-    check_outputs([output, report, band, picture], inputs=[plan, segments])
+    check_outputs([output, report, band, picture, *about_errors.outputs], inputs=[plan, segments])
     if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
         raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
     given = plan_and_segments(
@@ -123,7 +126,7 @@ def command(
     if strict and solution.status == 2:
         raise UnmetTargetsError(solution.message)
 
-    files: dict[Path, bytes] = {}
+    files, sentences = open_data_files(given, settings, about_errors)
     shown: Envelope | None = None
     if band is not None or picture is not None:
         shown = _band(given, solution, gradient_change)
@@ -151,6 +154,8 @@ def command(
     _say(solution.message, found, output)
     if advice is not None:
         click.echo(_advised(given, solution, advice))
+    for sentence in sentences:
+        click.echo(sentence)
 
 
 def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelope:

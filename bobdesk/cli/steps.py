@@ -25,6 +25,7 @@ from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import Progress
+from bobdesk.project import derive
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import Targets, in_scale
 
@@ -47,6 +48,12 @@ class PlanInput:
         The targets as they were given, in the plan's own scale.
     solver
         A project's settings of the solver, else the usual ones.
+    vertices
+        How many the plan has.
+    wavelength
+        Of the smoothing in force, m.
+    scale_error
+        1 sigma of the plan's scale as a share, where a project's calibration says it, else 0.
     """
 
     centreline: Centreline
@@ -55,6 +62,9 @@ class PlanInput:
     factor: float
     asked: Targets
     solver: SolverSettings
+    vertices: int
+    wavelength: float
+    scale_error: float
 
 
 def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | None]) -> None:
@@ -122,13 +132,17 @@ def plan_and_segments(
         factor = (targets.length**2 - targets.drop**2) ** 0.5 / drawn
         polyline = Polyline(factor * polyline.vertices)
         targets = in_scale(targets, factor)
-    centreline = _fitted(path, polyline, _fit_settings(found, spacing, wavelength))
+    fit = _fit_settings(found, spacing, wavelength)
+    centreline = _fitted(path, polyline, fit)
     if segments_from is not None:
         segments = read_segments(segments_from, length=centreline.length, scale=factor)
     else:
         segments = _segments(path, found, centreline, count, threshold)
     solver = SolverSettings() if found.project is None else found.project.solver
-    return PlanInput(centreline, segments, targets, factor, asked, solver)
+    scale_error = 0.0 if found.project is None else derive.scale_error(found.project)
+    return PlanInput(
+        centreline, segments, targets, factor, asked, solver, len(polyline.vertices), fit.wavelength, scale_error
+    )
 
 
 def _fit_settings(found: ImportedLine, spacing: float | None, wavelength: float | None) -> FitSettings:

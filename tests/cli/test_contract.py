@@ -166,7 +166,7 @@ def test_known_elevations_are_met_by_the_written_rows(call):
     assert np.interp([100, 400], table.station_m, table.z_m) == pytest.approx([26, 12], abs=1e-6)
 
 
-@pytest.mark.parametrize("method", ["pgd", "published", "lbfgsb", "slsqp", "de"])
+@pytest.mark.parametrize("method", ["pgd", "published", "lbfgsb", "slsqp", "trustconstr", "de"])
 def test_every_method_with_weights_writes_a_whole_line(call, method):
     weights = ("--weight-length", 2, "--weight-height", 2, "--weight-curvature", 0, "--weight-gradient", 0.5)
     said = call(
