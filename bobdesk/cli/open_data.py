@@ -11,7 +11,7 @@ import click
 
 from bobdesk.cli.options import FILE, combined
 from bobdesk.cli.steps import PlanInput, with_progress
-from bobdesk.files.solvers import solver_methods
+from bobdesk.files.solvers import watched_methods
 from bobdesk.solve.settings import SolverSettings
 
 open_data_options = combined(
@@ -82,7 +82,7 @@ def open_data_files(
             given.targets,
             settings,
             clock=time.perf_counter,
-            methods=solver_methods().formats,
+            methods=watched_methods(),
         )
         files[asked.second_opinions] = methods_table(with_progress(job, "methods"))
     return files, sentences
