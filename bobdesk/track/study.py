@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -74,7 +74,9 @@ class Cell:
     @property
     def key(self) -> tuple[str, ...]:
         """The first columns of the row."""
-        return tuple("" if value is None else str(value) for value in astuple(self))
+        count = "" if self.count is None else str(self.count)
+        weight = "" if self.height_weight is None else f"{self.height_weight:g}"
+        return (self.plan, count, weight, self.method, self.known)
 
 
 @dataclass(frozen=True, eq=False)

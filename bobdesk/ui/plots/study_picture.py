@@ -20,6 +20,7 @@ _PANELS = (
 )
 _CELL, _HIGH, _LEFT, _TOP, _GAP, _MARGIN = 92, 30, 190, 84, 34, 24
 _LARGEST = 16_000
+_NOTHING = 5e-6
 _LIGHT, _DARK = (255, 247, 236), (179, 61, 20)
 
 
@@ -151,7 +152,17 @@ def _draw(painter: Any, panel: _Panel, top: int) -> None:
             else:
                 painter.fillRect(box, fill)
                 painter.setPen(QColor(palette.PAPER if share > 0.6 else palette.INK))
-            text(box, "failed" if number is None else f"{number:.4g}", Qt.AlignmentFlag.AlignCenter)
+            text(
+                box,
+                "failed" if number is None else f"{number:.4g}" if abs(number) >= _NOTHING else "0",
+                Qt.AlignmentFlag.AlignCenter,
+            )
+
+
+def _shown(number: float | None) -> str:
+    if number is None:
+        return "failed"
+    return f"{number:.4g}" if abs(number) >= _NOTHING else "0"
 
 
 def _number(text: str) -> float | None:
