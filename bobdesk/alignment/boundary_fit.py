@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from scipy.integrate import cumulative_simpson
 
@@ -16,6 +18,8 @@ _RAMPS = np.array([0.5, 3.0, 6.0, 9.0, 12.0, 16.0, 20.0, 25.0, 30.0, 36.0, 42.0,
 _ALIKE_OVER = 5.0
 _SMALLEST_NOISE = 0.03
 _FEWEST_STATIONS = 8
+# Stations nearer than this tell nothing new, as the noise is alike over metres, but cost as much.
+_FINEST = 0.25
 
 
 def fit_boundaries(
@@ -50,6 +54,7 @@ def fit_boundaries(
     lengths = np.diff(edges)
     fitted = boundaries.copy()
     last = len(boundaries) - 1
+    every = max(1, math.ceil(_FINEST / centreline.spacing - 1e-9))
     for index, boundary in enumerate(boundaries):
         if curved[index] == curved[index + 1]:
             continue
@@ -63,10 +68,11 @@ def fit_boundaries(
             if backwards
             else (boundary - into_straight, boundary + into_curve)
         )
-        window = slice(int(np.searchsorted(stations, low)), int(np.searchsorted(stations, high, side="right")))
+        first, beyond = np.searchsorted(stations, low), np.searchsorted(stations, high, side="right")
+        window = slice(int(first), int(beyond), every)
         along = (boundary - stations[window])[::-1] if backwards else stations[window] - boundary
         across = offsets[window][::-1] if backwards else offsets[window]
-        toe = _toe(along, across, centreline.spacing)
+        toe = _toe(along, across, every * centreline.spacing)
         if toe is not None:
             fitted[index] = boundary - toe if backwards else boundary + toe
     return np.maximum.accumulate(fitted)

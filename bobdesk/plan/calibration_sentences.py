@@ -14,6 +14,8 @@ from bobdesk.plan.control_points import ControlPoint
 
 NO_ESTIMATE = "no error estimate possible"
 _PROBABLE = 0.05
+# A distortion of a thousandth is less than paper shrinks.
+_HARMLESS = 1e-3
 # Below this, percent, a scatter is that of rounding.
 _EXACT_PERCENT = 1e-6
 # Residuals over this share of the points' extent come from wrong points, not from clicking.
@@ -75,6 +77,8 @@ def affine_sentence(check: AffineCheck) -> str:
         return f"{found}; {NO_ESTIMATE} from three points, so this may be clicking errors alone."
     if check.chance >= _PROBABLE:
         return f"{found}: no more than clicking errors explain."
+    if abs(check.scale_ratio - 1) < _HARMLESS and abs(check.shear_rad) < _HARMLESS:
+        return f"{found}: too little to matter."
     return f"{found}: more than clicking errors explain; the picture is distorted or a point is wrong."
 
 

@@ -232,7 +232,9 @@ QMenuBar::item:selected {{ background: {of.accent_soft}; }}
 QToolBar {{ background: {of.window}; border: none; spacing: 3px; padding: 3px; }}
 QToolBar::separator {{ background: {of.border}; width: 1px; height: 1px; margin: 4px; }}
 QDockWidget {{ font-weight: 600; }}
+QDockWidget#panel_dock {{ font-size: 12pt; }}
 QDockWidget > QWidget {{ font-weight: 400; }}
+QDockWidget#panel_dock > QWidget {{ font-size: {QApplication.font().pointSizeF()}pt; }}
 QMainWindow::separator {{ background: {of.border}; width: 1px; height: 1px; }}
 QLabel[kind="title"] {{ font-size: 13pt; font-weight: 600; }}
 QLabel[kind="heading"] {{ font-weight: 600; color: {of.muted}; }}

@@ -6,6 +6,7 @@ import pytest
 from bobdesk.errors import InputError
 from bobdesk.plan.affine_check import check_affine
 from bobdesk.plan.calibration_sentences import NO_ESTIMATE, affine_sentence
+from bobdesk.plan.control_points import ControlPoint
 from tests.plan.made_points import PIXELS, TRUTH, points_at, same
 
 
@@ -54,3 +55,11 @@ def test_affine_through_three_points_has_no_error_estimate():
 def test_affine_refuses_what_cannot_tell(points, words):
     with pytest.raises(InputError, match=words):
         check_affine(points)
+
+
+def test_a_sure_distortion_of_a_hair_is_called_harmless():
+    corners = [(0, 0), (1000, 0), (1000, 800), (0, 800), (500, 400), (250, 700)]
+    points = [ControlPoint(x, y, 0.5 * x, -0.5 * 1.0002 * y) for x, y in corners]
+    assert affine_sentence(check_affine(points)).endswith("too little to matter.")
+    points = [ControlPoint(x, y, 0.5 * x, -0.5 * 1.02 * y) for x, y in corners]
+    assert "distorted" in affine_sentence(check_affine(points))

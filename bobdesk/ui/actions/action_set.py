@@ -78,7 +78,8 @@ class ActionSet(QObject):
 
     def add_menu(self, bar: QMenuBar, name: MenuName, title: str) -> None:
         """Add a menu with its actions, with separators between groups; none without actions."""
-        rows = [row for row in self.table if row.menu == name]
+        # Whoever adds to a menu, leaving comes last.
+        rows = sorted((row for row in self.table if row.menu == name), key=lambda row: row.group == "end")
         if rows:
             menu = bar.addMenu(title)
             menu.setToolTipsVisible(True)

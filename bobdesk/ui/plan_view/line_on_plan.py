@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QPolygonF
 
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
@@ -12,15 +14,43 @@ from bobdesk.project import derive
 from bobdesk.project.project import Project
 from bobdesk.ui.plan_view.near import nearest_on_line
 from bobdesk.ui.plan_view.space import Frame
+from bobdesk.ui.plan_view.strokes import polygon
 from bobdesk.ui.segments.alignment_now import AlignmentNow
+
+_MOST_KEPT = 4000
 
 
 @dataclass(frozen=True, eq=False)
+class ScreenPart:
+    """A part of the line: places (k, 2), as Qt draws them, and the rectangle that they lie in."""
+
+    points: FloatArray
+    polygon: QPolygonF
+    bounds: QRectF
+
+    @classmethod
+    def of(cls, points: FloatArray) -> ScreenPart:
+        """Return the part through `points` (k, 2)."""
+        made = polygon(points)
+        return cls(points, made, made.boundingRect())
+
+
 class ScreenLine:
     """What is drawn: stations (m,), m, and places on the screen (m, 2)."""
 
-    stations: FloatArray
-    screen: FloatArray
+    def __init__(self, stations: FloatArray, screen: FloatArray) -> None:
+        self.stations = stations
+        self.screen = screen
+        self._parts: dict[tuple[float, float], ScreenPart] = {}
+
+    def kept_part(self, start: float, end: float) -> ScreenPart:
+        """Return a part ready to be drawn; of hundreds, a drag changes two."""
+        found = self._parts.get((start, end))
+        if found is None:
+            if len(self._parts) > _MOST_KEPT:
+                self._parts.clear()
+            found = self._parts[start, end] = ScreenPart.of(self.part(start, end))
+        return found
 
     def part(self, start: float, end: float) -> FloatArray:
         """Return the places from one station to another, (k, 2)."""

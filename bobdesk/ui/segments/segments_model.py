@@ -47,20 +47,30 @@ class SegmentsModel(QAbstractTableModel):
         self._operations = operations(desk)
         self._profile = run_profile_later(desk)
         self._columns = self._made_columns()
-        self._count = len(self._now.segments)
+        self._shown = self._now.segments
+        self._count = len(self._shown)
         self._now.changed.connect(self.refresh)
-        self._profile.changed.connect(self.refresh)
+        self._profile.changed.connect(self.refresh_all)
         desk.quantities.changed.connect(self._on_units)
 
     def refresh(self) -> None:
         """Show the segments as they are now."""
-        count = len(self._now.segments)
+        before, self._shown = self._shown, self._now.segments
+        count = len(self._shown)
         if count != self._count:
             self.beginResetModel()
             self._count = count
             self.endResetModel()
-        elif count:
-            self.dataChanged.emit(self.index(0, 0), self.index(count - 1, len(self._columns) - 1))
+        else:
+            others = [row for row in range(count) if self._shown[row] is not before[row]]
+            if others:
+                self._tell(others[0], others[-1])
+
+    def refresh_all(self) -> None:
+        """Show every row anew: their figures may be others though the segments are not."""
+        self.refresh()
+        if self._count:
+            self._tell(0, self._count - 1)
 
     def column(self, name: str) -> int:
         """Return the number of a column."""
@@ -278,7 +288,10 @@ class SegmentsModel(QAbstractTableModel):
 
     def _on_units(self) -> None:
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self._columns) - 1)
-        self.refresh()
+        self.refresh_all()
+
+    def _tell(self, first: int, last: int) -> None:
+        self.dataChanged.emit(self.index(first, 0), self.index(last, len(self._columns) - 1))
 
 
 def _alignment(column: _Column) -> Qt.AlignmentFlag:

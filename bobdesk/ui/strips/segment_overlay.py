@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QApplication
 
@@ -61,18 +61,16 @@ class SegmentOverlay(Overlay):
         segments = self._now.segments
         selected = self._desk.selection.boundary
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        last_handle = -math.inf
-        for index, segment in enumerate(segments[:-1]):
-            if not on.low <= segment.end <= on.high:
-                continue
-            x = round(on.x(segment.end)) + 0.5
-            is_held = index == selected
-            painter.setPen(QPen(shade("accent" if is_held else "muted", 255 if is_held else 120), 2 if is_held else 1))
-            painter.drawLine(QPointF(x, on.area.top()), QPointF(x, on.area.bottom()))
-            if self._has_handles and (x - last_handle >= _CLOSEST or is_held):
-                last_handle = x
-                free = not (segment.locked or segments[index + 1].locked)
-                self._draw_handle(painter, x, on.area.top(), is_held=is_held, is_free=free)
+        shown = [index for index, segment in enumerate(segments[:-1]) if on.low <= segment.end <= on.high]
+        places = {index: round(on.x(segments[index].end)) + 0.5 for index in shown}
+        top, bottom = on.area.top(), on.area.bottom()
+        painter.setPen(QPen(shade("muted", 120), 1))
+        painter.drawLines([QLineF(x, top, x, bottom) for index, x in places.items() if index != selected])
+        if selected in places:
+            painter.setPen(QPen(shade("accent"), 2))
+            painter.drawLine(QLineF(places[selected], top, places[selected], bottom))
+        if self._has_handles:
+            self._draw_handles(painter, places, top)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         if self._has_handles:
             self._draw_locks(painter, on)
@@ -123,11 +121,25 @@ class SegmentOverlay(Overlay):
             return None
         return self._drag.boundary_at(pointer.station, _NEAR * pointer.on.metres_per_pixel)
 
-    def _draw_handle(self, painter: QPainter, x: float, top: float, *, is_held: bool, is_free: bool) -> None:
-        size = _HANDLE + (2 if is_held else 0)
-        painter.setPen(QPen(shade("accent" if is_held else "text"), 1))
-        painter.setBrush(shade("accent" if is_held else "text") if is_free else shade("base"))
-        painter.drawRect(QRectF(round(x - size / 2), round(top), size, size))
+    def _draw_handles(self, painter: QPainter, places: dict[int, float], top: float) -> None:
+        """Draw full squares, and hollow ones for boundaries that a lock holds."""
+        segments, selected = self._now.segments, self._desk.selection.boundary
+        last = -math.inf
+        squares: dict[bool, list[QRectF]] = {True: [], False: []}
+        for index, x in places.items():
+            if x - last >= _CLOSEST and index != selected:
+                last = x
+                is_free = not (segments[index].locked or segments[index + 1].locked)
+                squares[is_free].append(QRectF(round(x - _HANDLE / 2), round(top), _HANDLE, _HANDLE))
+        for is_free, colour in ((True, "text"), (False, "base")):
+            painter.setPen(QPen(shade("text"), 1))
+            painter.setBrush(shade(colour))
+            painter.drawRects(squares[is_free])
+        if selected in places:
+            size = _HANDLE + 2
+            painter.setPen(QPen(shade("accent"), 1))
+            painter.setBrush(shade("accent"))
+            painter.drawRect(QRectF(round(places[selected] - size / 2), round(top), size, size))
         painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def _draw_locks(self, painter: QPainter, on: Geometry) -> None:

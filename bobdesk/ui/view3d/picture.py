@@ -30,7 +30,7 @@ def scene_file(scene: Scene, camera: Camera, width: int, height: int, kind: str)
     buffer = QBuffer(content)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     if kind == ".png":
-        scene_image(scene, camera, width, height, ratio=2.0).save(buffer, b"PNG")
+        scene_image(scene, camera, width, height, ratio=2.0).save(buffer, "PNG")  # type: ignore[call-overload]
         buffer.close()
         return bytes(content.data())
     device: QSvgGenerator | QPdfWriter

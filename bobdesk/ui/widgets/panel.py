@@ -51,13 +51,11 @@ class Panel(QScrollArea):
         self.column.setContentsMargins(_MARGIN, _MARGIN, _MARGIN, _MARGIN)
         self.column.setSpacing(8)
         self.setWidget(self._body)
-        self.title = self.add_label("", "title")
         self.state = self.add_label("", "muted")
         self.state.hide()
 
     def name_it(self, title: str) -> None:
-        """Give the panel its title."""
-        self.title.setText(title)
+        """Give the panel its title, which stands on its dock."""
         self.setAccessibleName(title)
         self.setWindowTitle(title)
 

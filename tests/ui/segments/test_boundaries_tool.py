@@ -151,7 +151,7 @@ def test_plan_strips_and_table_never_disagree_after_any_operation(desk, now, vie
         lambda: (do.select(6, station=now.segments[6].start + 10), do.split()),
         lambda: do.flip_one(7),
         lambda: (do.select(2), do.select(3, add=True), do.merge()),
-        lambda: do.move_boundary(5, now.segments[5].end - 7),
+        lambda: do.move_boundary(5, now.segments[5].end - 3),
         lambda: (do.select(1), do.lock()),
         lambda: do.change_settings(count=11),
         do.detect_again,

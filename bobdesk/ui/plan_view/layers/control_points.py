@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from bobdesk.plan.control_points import KnownDistance
@@ -145,6 +145,9 @@ def _draw_residuals(painter: QPainter, frame: Frame, project: Project) -> None:
     if longest < 1e-6 * frame.scale or fit.degrees_of_freedom == 0:
         return
     factor = max(1.0, _LONGEST_ARROW / longest)
+    if factor >= 1.5:
+        words = QCoreApplication.translate("ControlPointsLayer", "Residuals lengthened {factor} times")
+        _draw_words(painter, words.format(factor=f"{factor:,.0f}"), frame)
     for point, residual in zip(project.control_points, fit.points, strict=True):
         start = frame.point((point.x_px, point.y_px))
         way = QPointF(-residual.dx_px, -residual.dy_px) * frame.scale * factor
@@ -158,3 +161,15 @@ def _draw_residuals(painter: QPainter, frame: Frame, project: Project) -> None:
         painter.drawLine(start, tip)
         painter.setBrush(QColor(colours().error))
         painter.drawPolygon(QPolygonF([tip, tip - along * 7 + across * 3.5, tip - along * 7 - across * 3.5]))
+
+
+def _draw_words(painter: QPainter, words: str, frame: Frame) -> None:
+    """Write a line at the lower left corner of the view."""
+    of = colours()
+    box = QRectF(painter.fontMetrics().boundingRect(words)).adjusted(-6, -3, 6, 3)
+    box.moveBottomLeft(QPointF(12, frame.height - 14))
+    painter.setPen(pen(of.border, 1.0))
+    painter.setBrush(QColor(of.base))
+    painter.drawRoundedRect(box, 3, 3)
+    painter.setPen(QColor(of.muted))
+    painter.drawText(box, int(Qt.AlignmentFlag.AlignCenter), words)

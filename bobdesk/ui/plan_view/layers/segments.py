@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -13,9 +14,9 @@ from bobdesk.arrays import FloatArray
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.layers.layer import Layer
-from bobdesk.ui.plan_view.line_on_plan import LineOnPlan, ScreenLine
+from bobdesk.ui.plan_view.line_on_plan import LineOnPlan, ScreenLine, ScreenPart
 from bobdesk.ui.plan_view.space import Frame
-from bobdesk.ui.plan_view.strokes import draw_line, pen
+from bobdesk.ui.plan_view.strokes import pen
 from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
 from bobdesk.ui.theme import colours
 
@@ -23,6 +24,9 @@ _BADGE = 9.0
 _BADGE_AWAY = 18.0
 _HANDLE, _HELD = 7.0, 10.0
 _CLOSEST = 6.0
+_ROOM = 16.0
+# On paper, in every theme.
+_INK = "#22252b"
 
 
 class SegmentsLayer(Layer):
@@ -56,25 +60,31 @@ class SegmentsLayer(Layer):
         if line is None or not segments:
             return
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        parts = [line.part(segment.start, segment.end) for segment in segments]
-        self._draw_segments(painter, frame, segments, parts)
+        parts = [line.kept_part(segment.start, segment.end) for segment in segments]
+        view = QRectF(0, 0, frame.width, frame.height).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
+        # A straight along an axis has no area, which Qt calls no rectangle.
+        seen = [part.bounds.adjusted(-1, -1, 1, 1).intersects(view) for part in parts]
+        self._draw_segments(painter, segments, parts, seen)
         self._draw_cursor(painter, frame, line)
         self._draw_handles(painter, frame, segments, parts)
         number = 0
-        for segment, part in zip(segments, parts, strict=True):
+        for segment, part, is_seen in zip(segments, parts, seen, strict=True):
             if segment.kind == "curve":
                 number += 1
-                _draw_badge(painter, frame, part, segment.name or str(number))
+                if is_seen:
+                    _draw_badge(painter, frame, part.points, segment.name or str(number))
 
-    def _draw_segments(self, painter: QPainter, frame: Frame, segments: Segments, parts: list[FloatArray]) -> None:
+    def _draw_segments(self, painter: QPainter, segments: Segments, parts: list[ScreenPart], seen: list[bool]) -> None:
         of = colours()
         painter.setPen(pen(of.trace_doubtful, 13.0, alpha=110))
         for index in self.desk.selection.segments:
-            if index < len(parts):
-                draw_line(painter, parts[index], frame)
-        for segment, part in zip(segments, parts, strict=True):
-            painter.setPen(pen(of.straight, 2.0) if segment.kind == "straight" else pen(of.curve, 4.5))
-            draw_line(painter, part, frame)
+            if index < len(parts) and seen[index]:
+                painter.drawPolyline(parts[index].polygon)
+        for kind, stroke in (("straight", pen(of.straight, 2.0)), ("curve", pen(of.curve, 4.5))):
+            painter.setPen(stroke)
+            for segment, part, is_seen in zip(segments, parts, seen, strict=True):
+                if is_seen and segment.kind == kind:
+                    painter.drawPolyline(part.polygon)
 
     def _draw_cursor(self, painter: QPainter, frame: Frame, line: ScreenLine) -> None:
         station = self.desk.selection.station
@@ -88,21 +98,25 @@ class SegmentsLayer(Layer):
             painter.setPen(pen(colours().accent, 2.0))
             painter.drawEllipse(QPointF(x, y), 6.0, 6.0)
 
-    def _draw_handles(self, painter: QPainter, frame: Frame, segments: Segments, parts: list[FloatArray]) -> None:
+    def _draw_handles(self, painter: QPainter, frame: Frame, segments: Segments, parts: list[ScreenPart]) -> None:
         of = colours()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
-        last = np.array([-1e9, -1e9])
+        held = self.desk.selection.boundary
+        squares: dict[str, list[QRectF]] = {of.vertex: [], of.border: [], of.accent: []}
+        last_x, last_y = -math.inf, -math.inf
         for index, part in enumerate(parts[1:]):
-            x, y = part[0].tolist()
-            held = index == self.desk.selection.boundary
-            if not frame.sees(QPointF(x, y)) or (not held and np.hypot(*(part[0] - last)) < _CLOSEST):
+            x, y = part.points[0].tolist()
+            if not frame.sees(QPointF(x, y)) or (index != held and math.hypot(x - last_x, y - last_y) < _CLOSEST):
                 continue
-            last = part[0]
-            size = _HELD if held else _HANDLE
+            last_x, last_y = x, y
             locked = segments[index].locked or segments[index + 1].locked
-            painter.setPen(pen("#22252b" if not locked else of.muted, 1.2))
-            painter.setBrush(QColor(of.accent if held else of.vertex if not locked else of.border))
-            painter.drawRect(QRectF(round(x - size / 2) + 0.5, round(y - size / 2) + 0.5, size, size))
+            size = _HELD if index == held else _HANDLE
+            square = QRectF(round(x - size / 2) + 0.5, round(y - size / 2) + 0.5, size, size)
+            squares[of.accent if index == held else of.border if locked else of.vertex].append(square)
+        for colour, drawn in squares.items():
+            painter.setPen(pen(of.muted if colour == of.border else _INK, 1.2))
+            painter.setBrush(QColor(colour))
+            painter.drawRects(drawn)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
 
