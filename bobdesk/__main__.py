@@ -16,6 +16,11 @@ def main() -> int:
         from bobdesk.files.importers.dxf_worker import main as read_drawing
 
         return read_drawing()
+    if getattr(sys, "frozen", False):
+        # The processes of a study are started in the same way; this does nothing in others.
+        from multiprocessing import freeze_support
+
+        freeze_support()
     from bobdesk.cli.main import run
 
     return run(sys.argv[1:])

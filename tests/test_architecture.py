@@ -80,7 +80,7 @@ sys.exit(not {'scipy', 'shapely'}.isdisjoint(sys.modules))
 
 
 def test_no_command_but_a_picture_loads_qt():
-    modules = "segment, check, reconstruct, compare".replace(", ", ", bobdesk.cli.")
+    modules = "segment, check, reconstruct, compare, study, published".replace(", ", ", bobdesk.cli.")
     code = f"import sys, bobdesk.cli.{modules}; sys.exit('PySide6' in sys.modules or 'pyqtgraph' in sys.modules)"
     done = python("-c", code)
     assert done.returncode == 0, done.stderr

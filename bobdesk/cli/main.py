@@ -20,6 +20,8 @@ COMMANDS = {
     "segment": "Find the straights and curves of a plan.",
     "check": "Say whether length, drop and limits can be met, before any run.",
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
+    "study": "Solve plans in many ways: segment counts, weights, methods, known elevations.",
+    "published": "The paper's tables beside what our methods make of the same targets.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
 }

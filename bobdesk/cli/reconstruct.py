@@ -10,6 +10,7 @@ import click
 import numpy as np
 
 from bobdesk.cli.main import UnmetTargetsError
+from bobdesk.cli.open_data import open_data_files, open_data_options, taken_open_data_options
 from bobdesk.cli.options import (
     FILE,
     SeveralValues,
@@ -20,21 +21,23 @@ from bobdesk.cli.options import (
     strict_option,
     target_options,
 )
-from bobdesk.cli.reports import run_report
+from bobdesk.cli.reports import advice_report, own_station, run_report
 from bobdesk.cli.solver import solver_options, taken_solver_options
-from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json, with_progress
+from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, to_json, with_progress
 from bobdesk.cli.targets import taken_target_options
 from bobdesk.errors import TargetError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
 from bobdesk.solve.anchors import anchors_of
-from bobdesk.solve.envelope import Envelope, envelope
+from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
+from bobdesk.solve.iterates import Solution
+from bobdesk.solve.next_elevation import NextElevation, next_elevation
 from bobdesk.solve.run import SolverMethod, method_named
 from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
-from bobdesk.track.centreline3d import make_centreline3d
+from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
 
 
@@ -57,6 +60,13 @@ from bobdesk.track.figures import Figures, deviations, figures
 @click.option(
     "--envelope", "band", type=FILE, metavar="E.csv", help="Write the band that all possible profiles lie in."
 )
+@click.option(
+    "--gradient-change",
+    type=click.FloatRange(min=0, min_open=True),
+    metavar="PER_M",
+    help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m. Not limited without.",
+)
+@open_data_options
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
 @strict_option
 def command(
@@ -70,6 +80,7 @@ def command(
     flavour: str,
     report: Path | None,
     band: Path | None,
+    gradient_change: float | None,
     picture: Path | None,
     strict: bool,
     **options: Any,
@@ -83,8 +94,9 @@ def command(
     said, and `bobdesk check` says it beforehand.
     """
     solver = taken_solver_options(options)
+    about_errors = taken_open_data_options(options)
     asked = taken_target_options(plan, **options)
-    check_outputs([output, report, band, picture], inputs=[plan, segments])
+    check_outputs([output, report, band, picture, *about_errors.outputs], inputs=[plan, segments])
     if picture is not None and picture.suffix.lower() not in (".png", ".svg", ".pdf"):
         raise click.UsageError(f"--picture must end in .png, .svg or .pdf, not '{picture.name}'")
     given = plan_and_segments(
@@ -114,13 +126,14 @@ def command(
     if strict and solution.status == 2:
         raise UnmetTargetsError(solution.message)
 
-    files: dict[Path, bytes] = {}
+    files, sentences = open_data_files(given, settings, about_errors)
     shown: Envelope | None = None
     if band is not None or picture is not None:
-        anchors = anchors_of(given.targets, given.centreline.length)
-        shown = envelope(solution.profile.stations, anchors, given.targets, scale=solution.scale)
+        shown = _band(given, solution, gradient_change)
+    advice: NextElevation | None = None
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
+        advice = _advice(given, solution, line)
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
@@ -129,13 +142,43 @@ def command(
         )
     if report is not None:
         off = deviations(found, given.asked)
-        files[report] = to_json(run_report(given, possible, solution, line, found, off, seconds))
+        said = run_report(given, possible, solution, line, found, off, seconds)
+        if advice is not None:
+            said["next_known_elevation"] = advice_report(given, solution, advice)
+        files[report] = to_json(said)
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
     notes = _notes(possible, method, given.asked, settings.weights)
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
+    if advice is not None:
+        click.echo(_advised(given, solution, advice))
+    for sentence in sentences:
+        click.echo(sentence)
+
+
+def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelope:
+    anchors = anchors_of(given.targets, given.centreline.length)
+    if change is None:
+        return envelope(solution.profile.stations, anchors, given.targets, scale=solution.scale)
+    job = smooth_envelope(anchors, given.targets, largest_change=change, scale=solution.scale)
+    band = with_progress(job, "the band")
+    return between_stations(band, solution.scale * solution.profile.stations, largest_change=change)
+
+
+def _advice(given: PlanInput, solution: Solution, line: Centreline3D) -> NextElevation:
+    anchors = anchors_of(given.targets, given.centreline.length)
+    estimate = (line.stations, line.elevations)
+    return next_elevation(anchors, given.targets, estimate=estimate, scale=solution.scale)
+
+
+def _advised(given: PlanInput, solution: Solution, advice: NextElevation) -> str:
+    station = own_station(given, solution, advice)
+    return (
+        f"one more known elevation would help most at {station:.0f} m of the plan: the band,"
+        f" {advice.band.mean_width:.1f} m wide on the mean, would be {advice.gain:.1f} m narrower"
+    )
 
 
 def _title(plan: Path, found: Figures) -> str:

@@ -9,6 +9,7 @@ from bobdesk.alignment.segment_figures import segment_figures
 from bobdesk.cli.steps import PlanInput
 from bobdesk.solve.feasibility import Feasibility
 from bobdesk.solve.iterates import Solution
+from bobdesk.solve.next_elevation import NextElevation
 from bobdesk.solve.targets import Targets
 from bobdesk.track.centreline3d import Centreline3D
 from bobdesk.track.comparison import Comparison
@@ -73,6 +74,20 @@ def run_report(
             }
             for index, (segment, gradient) in enumerate(zip(line.segments, line.segment_gradients, strict=True))
         ],
+    }
+
+
+def own_station(given: PlanInput, solution: Solution, advice: NextElevation) -> float:
+    """Return the advised station as `--known` counts it, in the plan's own scale."""
+    return advice.station / (solution.scale * given.factor)
+
+
+def advice_report(given: PlanInput, solution: Solution, advice: NextElevation) -> dict[str, Any]:
+    """Return where one more known elevation would help most."""
+    return {
+        "station": own_station(given, solution, advice),
+        "envelope_mean_width_m": advice.band.mean_width,
+        "envelope_mean_width_with_it_m": advice.band_after.mean_width,
     }
 
 

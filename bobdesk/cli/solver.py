@@ -18,8 +18,8 @@ solver_options = combined(
         "--method",
         metavar="NAME",
         show_default="pgd",
-        help="pgd is recommended: it holds drop and known elevations exactly. published is the paper's; lbfgsb, slsqp"
-        " and de are SciPy's on the paper's objective, to compare with. Other packages can add more.",
+        help="pgd is recommended: it holds drop and known elevations exactly. published is the paper's; lbfgsb, slsqp,"
+        " trustconstr and de are SciPy's on the paper's objective, to compare with. Other packages can add more.",
     ),
     *(
         click.option(f"--weight-{name}", type=float, show_default="1", help=f"{letter} of the published objective.")

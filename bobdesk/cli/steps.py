@@ -11,12 +11,14 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import click
+import numpy as np
 
 from bobdesk.alignment.centreline import Centreline, fit_centreline
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation import detect_segments
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments, stretched
+from bobdesk.arrays import FloatArray
 from bobdesk.cli.targets import TargetOptions, targets_of
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import check_writable, resolved
@@ -25,6 +27,7 @@ from bobdesk.files.importers.imported_line import ImportedLine
 from bobdesk.files.importers.segments_csv import read_segments
 from bobdesk.plan.polyline import Polyline, edge_lengths
 from bobdesk.progress import Progress
+from bobdesk.project import derive
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import Targets, in_scale
 
@@ -47,6 +50,14 @@ class PlanInput:
         The targets as they were given, in the plan's own scale.
     solver
         A project's settings of the solver, else the usual ones.
+    vertices
+        How many the plan has.
+    wavelength
+        Of the smoothing in force, m.
+    scale_error
+        1 sigma of the plan's scale as a share, where a project's calibration says it, else 0.
+    actual : (n, 3) or None
+        The line with its elevations, or a project's actual track, m, where there is one.
     """
 
     centreline: Centreline
@@ -55,6 +66,10 @@ class PlanInput:
     factor: float
     asked: Targets
     solver: SolverSettings
+    vertices: int
+    wavelength: float
+    scale_error: float
+    actual: FloatArray | None
 
 
 def check_outputs(outputs: Iterable[Path | None], *, inputs: Iterable[Path | None]) -> None:
@@ -106,6 +121,7 @@ def plan_and_segments(
     count: int | None,
     threshold: float | None,
     segments_from: Path | None,
+    quiet: bool = False,
 ) -> PlanInput:
     """Read the plan, fit it and find its segments; a project brings what the command line leaves open.
 
@@ -114,7 +130,7 @@ def plan_and_segments(
     """
     if segments_from is not None and (count is not None or threshold is not None):
         raise click.UsageError("--segments gives the segments, so --count and --threshold cannot be given too")
-    found = read_plan(path)
+    found = read_line(path) if quiet else read_plan(path)
     asked = targets = targets_of(options, found.project, plan=path)
     polyline, factor = found.polyline, 1.0
     if targets.unknown_scale:
@@ -122,13 +138,26 @@ def plan_and_segments(
         factor = (targets.length**2 - targets.drop**2) ** 0.5 / drawn
         polyline = Polyline(factor * polyline.vertices)
         targets = in_scale(targets, factor)
-    centreline = _fitted(path, polyline, _fit_settings(found, spacing, wavelength))
+    fit = _fit_settings(found, spacing, wavelength)
+    centreline = _fitted(path, polyline, fit)
     if segments_from is not None:
         segments = read_segments(segments_from, length=centreline.length, scale=factor)
     else:
         segments = _segments(path, found, centreline, count, threshold)
     solver = SolverSettings() if found.project is None else found.project.solver
-    return PlanInput(centreline, segments, targets, factor, asked, solver)
+    scale_error = 0.0 if found.project is None else derive.scale_error(found.project)
+    return PlanInput(
+        centreline, segments, targets, factor, asked, solver, len(polyline.vertices), fit.wavelength, scale_error,
+        _actual(found),
+    )  # fmt: skip
+
+
+def _actual(found: ImportedLine) -> FloatArray | None:
+    if found.project is not None:
+        return None if found.project.actual is None else found.project.actual.points
+    if found.elevations is None:
+        return None
+    return np.column_stack([found.polyline.vertices, found.elevations])
 
 
 def _fit_settings(found: ImportedLine, spacing: float | None, wavelength: float | None) -> FitSettings:

@@ -58,7 +58,7 @@ def taken_target_options(
         mean_gradient_is=next((name for name in DEFINITIONS if name == mean_gradient_is), None),
         min_gradient=min_gradient,
         max_gradient=max_gradient,
-        known=tuple(_known(text) for text in known),
+        known=tuple(known_elevation(text) for text in known),
         unknown_scale=unknown_scale,
     )
     if not is_project(plan):
@@ -130,9 +130,12 @@ def _targets(
     )
 
 
-def _known(text: str) -> KnownElevation:
+def known_elevation(text: str, option: str = "--known") -> KnownElevation:
+    """Return STATION:ELEVATION or STATION:ELEVATION:TOLERANCE; anything else is a wrong call."""
     parts = text.split(":")
     numbers = [float(part) for part in parts if _NUMBER.fullmatch(part.strip())]
     if len(numbers) not in (2, 3) or len(numbers) < len(parts):
-        raise click.UsageError(f"--known takes STATION:ELEVATION, two numbers in metres such as 250:98.5, not '{text}'")
+        raise click.UsageError(
+            f"{option} takes STATION:ELEVATION, two numbers in metres such as 250:98.5, not '{text}'"
+        )
     return KnownElevation(*numbers)

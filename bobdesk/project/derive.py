@@ -81,6 +81,14 @@ def calibration(project: Project) -> Derived[Calibration]:
     )
 
 
+def scale_error(project: Project) -> float:
+    """Return 1 sigma of the scale as a share of it; 0 where nothing is known of it, as for coordinates."""
+    found = None if project.source is not None else calibration(project).value
+    if found is None or found.scale_sigma is None:
+        return 0.0
+    return found.scale_sigma / found.metres_per_pixel
+
+
 def calibration_fit(project: Project) -> Derived[CalibrationFit]:
     """Return the residuals of control points and known distances, whatever way is chosen."""
     return _calibration_fit(project.control_points, project.known_distances)

@@ -21,7 +21,7 @@ from bobdesk.project.runs import InputsDigest
 from bobdesk.solve.settings import PUBLISHED_THRESHOLD
 
 _LENGTH = 16
-_ON_THE_PUBLISHED_OBJECTIVE = ("published", "lbfgsb", "slsqp", "de")
+_ON_THE_PUBLISHED_OBJECTIVE = ("published", "lbfgsb", "slsqp", "trustconstr", "de")
 
 
 def inputs_digest(project: Project) -> InputsDigest:

@@ -105,6 +105,7 @@ METHODS: tuple[SolverMethod, ...] = (
     SolverMethod("published", "The published method", _published, holds_known=False, solve_from=_published),
     SolverMethod("lbfgsb", "L-BFGS-B", partial(_second_opinion, method="lbfgsb"), holds_known=False),
     SolverMethod("slsqp", "SLSQP", partial(_second_opinion, method="slsqp")),
+    SolverMethod("trustconstr", "trust-constr", partial(_second_opinion, method="trustconstr")),
     SolverMethod("de", "Differential evolution", partial(_second_opinion, method="de"), holds_known=False),
 )
 

@@ -166,7 +166,7 @@ def test_known_elevations_are_met_by_the_written_rows(call):
     assert np.interp([100, 400], table.station_m, table.z_m) == pytest.approx([26, 12], abs=1e-6)
 
 
-@pytest.mark.parametrize("method", ["pgd", "published", "lbfgsb", "slsqp", "de"])
+@pytest.mark.parametrize("method", ["pgd", "published", "lbfgsb", "slsqp", "trustconstr", "de"])
 def test_every_method_with_weights_writes_a_whole_line(call, method):
     weights = ("--weight-length", 2, "--weight-height", 2, "--weight-curvature", 0, "--weight-gradient", 0.5)
     said = call(
@@ -228,3 +228,20 @@ def test_level_out_lets_the_gradient_die_out_before_the_end(call):
     call.refused(
         "reconstruct", call.plan, *TARGETS, "--level-out", -1, "-o", call.path("m.csv"), status=2
     )  # fmt: skip
+
+
+def test_a_bounded_change_of_gradient_narrows_the_envelope(call, results):
+    wide = pd.read_csv(results.path("e.csv"))
+    said = call(
+        "reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--envelope", call.path("e.csv"),
+        "--gradient-change", "0.001",
+    )  # fmt: skip
+    assert said.status == 0, said.err
+    tight = pd.read_csv(call.path("e.csv"))
+    assert (tight.z_max_m - tight.z_min_m).mean() < (wide.z_max_m - wide.z_min_m).mean()
+
+
+def test_the_report_says_where_one_more_known_elevation_helps_most(results):
+    advice = json.loads(results.path("r.json").read_text("utf-8"))["next_known_elevation"]
+    assert 100 < advice["station"] < 600
+    assert 0 < advice["envelope_mean_width_with_it_m"] < 0.8 * advice["envelope_mean_width_m"]

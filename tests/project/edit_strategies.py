@@ -65,7 +65,7 @@ def _targets(draw: Draw) -> TargetSet:
 
 
 def _solver(draw: Draw) -> SolverSettings:
-    method = draw(st.sampled_from(["pgd", "published", "lbfgsb", "slsqp", "de"]))
+    method = draw(st.sampled_from(["pgd", "published", "lbfgsb", "slsqp", "trustconstr", "de"]))
     settings = PgdSettings(transition=draw(positive), max_iterations=draw(st.integers(1, 10**6)))
     return SolverSettings(method, settings, Weights(draw(positive), 1, draw(positive), 0))
 

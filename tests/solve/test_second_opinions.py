@@ -35,7 +35,7 @@ def published_objective():
     return finish(published(*track(), PublishedSettings(weights=WEIGHTS))).objective
 
 
-@pytest.mark.parametrize("method", ["lbfgsb", "slsqp", "de"])
+@pytest.mark.parametrize("method", ["lbfgsb", "slsqp", "trustconstr", "de"])
 def test_each_reaches_no_higher_an_objective_than_published(method):
     solution, _ = objective_of(method, **({"max_iterations": 80} if method == "de" else {}))
     assert solution.objective <= published_objective()
@@ -44,7 +44,7 @@ def test_each_reaches_no_higher_an_objective_than_published(method):
     assert (solution.gradients <= 0.25).all()
 
 
-@pytest.mark.parametrize("method", ["lbfgsb", "slsqp"])
+@pytest.mark.parametrize("method", ["lbfgsb", "slsqp", "trustconstr"])
 def test_exact_derivatives_come_near_the_bottom(method):
     solution, _ = objective_of(method)
     assert solution.objective < 1e-5
@@ -67,11 +67,12 @@ def test_numeric_derivatives_lead_the_same_way():
     np.testing.assert_allclose(numeric.gradients, exact.gradients, atol=1e-4)
 
 
-def test_slsqp_holds_drop_and_known_elevations():
+@pytest.mark.parametrize("method", ["slsqp", "trustconstr"])
+def test_drop_and_known_elevations_are_held(method):
     centreline, segments, targets = track()
     known = (KnownElevation(200.0, 0.65 * targets.drop), KnownElevation(400.0, 0.3 * targets.drop))
     held = Targets(targets.length + 0.5, targets.drop, known=known)
-    solution = finish(second_opinion(centreline, segments, held, "slsqp", SecondOpinionSettings(weights=WEIGHTS)))
+    solution = finish(second_opinion(centreline, segments, held, method, SecondOpinionSettings(weights=WEIGHTS)))
     line = make_centreline3d(centreline, segments, solution)
     for item in known:
         assert height_at(line, item.station) == pytest.approx(item.elevation, abs=2e-6)
@@ -86,7 +87,7 @@ def test_differential_evolution_is_seeded():
     assert runs[0].status == 1
 
 
-@pytest.mark.parametrize("method", ["lbfgsb", "slsqp", "de"])
+@pytest.mark.parametrize("method", ["lbfgsb", "slsqp", "trustconstr", "de"])
 def test_an_unknown_scale_is_refused(method):
     centreline, segments, targets = track()
     unknown = Targets(targets.length, targets.drop, unknown_scale=True)

@@ -16,7 +16,7 @@ from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin
 
-_OWN = ("pgd", "published", "slsqp", "lbfgsb", "de")
+_OWN = ("pgd", "published", "slsqp", "lbfgsb", "trustconstr", "de")
 _PAPERS_RATE = 1e-5
 
 
@@ -35,6 +35,7 @@ class MethodPart(Part):
             (self.tr("As published"), self.tr("The method of Chen et al., to compare with")),
             ("SLSQP", self.tr("A second opinion on the published objective; holds drop and known elevations")),
             ("L-BFGS-B", self.tr("A second opinion on the published objective; knows limits only")),
+            ("trust-constr", self.tr("A second opinion on the published objective; holds drop and known elevations")),
             (self.tr("Differential evolution"), self.tr("A slow, random search on the published objective")),
         ):  # fmt: skip
             self.method.addItem(text)

@@ -1,0 +1,102 @@
+"""The rows of a study that are finished, kept beside its table until all are: what is killed goes on from there."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from bobdesk.errors import InputError
+from bobdesk.files.atomic import reason
+
+if TYPE_CHECKING:
+    from bobdesk.track.study import Task
+
+Row = tuple[str, ...]
+_ENDING = ".unfinished"
+
+
+class StudyJournal:
+    """One line of JSON a finished row, below a line that says which study they belong to.
+
+    Parameters
+    ----------
+    table
+        Where the table is to be written; the journal lies beside it.
+    digest
+        Of all that the rows depend on. Rows of another study are not used.
+    """
+
+    def __init__(self, table: Path, digest: str) -> None:
+        self.path = table.with_name(table.name + _ENDING)
+        self._digest = digest
+        self._length = 0
+
+    def finished(self) -> dict[int, Row]:
+        """Return the rows that are there, by the number of their cell; a line that was cut short is left out."""
+        found: dict[int, Row] = {}
+        self._length = 0
+        try:
+            content = self.path.read_bytes()
+        except OSError:
+            return found
+        lines = content.splitlines(keepends=True)
+        if not lines or _parsed(lines[0]) != {"study": self._digest}:
+            return found
+        self._length = len(lines[0])
+        for line in lines[1:]:
+            entry = _parsed(line)
+            if not isinstance(entry, list) or len(entry) != 2 or not line.endswith(b"\n"):
+                break
+            found[entry[0]] = tuple(entry[1])
+            self._length += len(line)
+        return found
+
+    def add(self, number: int, row: Row) -> None:
+        """Keep a row.
+
+        Raises
+        ------
+        InputError
+            If it cannot be written.
+        """
+        line = (json.dumps([number, list(row)]) + "\n").encode()
+        try:
+            if self._length == 0:
+                head = (json.dumps({"study": self._digest}) + "\n").encode()
+                self.path.write_bytes(head + line)
+                self._length = len(head) + len(line)
+                return
+            with self.path.open("r+b") as file:
+                file.seek(self._length)
+                file.truncate()
+                file.write(line)
+            self._length += len(line)
+        except OSError as error:
+            raise InputError(f"{self.path}: cannot keep the finished rows: {reason(error)}") from error
+
+    def remove(self) -> None:
+        """Remove the journal, once the table is written."""
+        self.path.unlink(missing_ok=True)
+
+
+def digest_of(tasks: Iterable[Task], version: str) -> str:
+    """Return a fingerprint of all that the rows of these tasks depend on."""
+    found = hashlib.sha256(version.encode())
+    for task in tasks:
+        rest = (task.cell, task.segments, task.targets, task.settings, task.factor)
+        found.update(repr(rest).encode())
+        found.update(task.centreline.points.tobytes())
+        if task.actual is not None:
+            found.update(task.actual.tobytes())
+    return found.hexdigest()
+
+
+def _parsed(line: bytes) -> object:
+    try:
+        parsed: object = json.loads(line)
+    except ValueError:
+        return None
+    return parsed

@@ -1,0 +1,129 @@
+"""All methods on the same plan and targets, one row each: how far each came on the published objective."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Generator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from bobdesk.alignment.centreline import Centreline
+from bobdesk.alignment.segments import Segments
+from bobdesk.errors import InputError, TargetError
+from bobdesk.progress import Progress
+from bobdesk.solve.iterates import Solution
+from bobdesk.solve.objective import PublishedObjective
+from bobdesk.solve.run import METHODS, SolverMethod, solve
+from bobdesk.solve.settings import SolverSettings, Weights
+from bobdesk.solve.targets import Targets
+from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
+from bobdesk.track.figures import Deviations, Figures, deviations, figures
+
+_ITERATES_A_REPORT = 10
+
+
+@dataclass(frozen=True, eq=False)
+class MethodRow:
+    """What one method made of it.
+
+    Attributes
+    ----------
+    method
+        Key and title.
+    objective
+        J of the published objective with the weights of the settings, whatever the method itself minimises;
+        NaN where it failed.
+    line, found, off
+        The line, its figures and their deviations from the targets; None where it failed.
+    iterations, evaluations, seconds
+        What it took.
+    message
+        Why it ended, one sentence.
+    """
+
+    method: SolverMethod
+    objective: float
+    line: Centreline3D | None
+    found: Figures | None
+    off: Deviations | None
+    iterations: int
+    evaluations: int
+    seconds: float
+    message: str
+
+
+def compare_methods(
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: SolverSettings,
+    *,
+    clock: Callable[[], float],
+    methods: Sequence[SolverMethod] = METHODS,
+) -> Generator[Progress, None, tuple[MethodRow, ...]]:
+    """Run one method after the other; a method that fails is a row with its reason.
+
+    Parameters
+    ----------
+    settings
+        For all methods; the method that they name does not matter.
+    clock
+        Seconds from anywhere; this package reads no clock itself.
+    """
+    rows: list[MethodRow] = []
+    for number, method in enumerate(methods):
+        progress = Progress(number / len(methods), method.title)
+        yield progress
+        started = clock()
+        run = solve(centreline, segments, targets, replace(settings, method=method.key), methods=tuple(methods))
+        iterations = 0
+        try:
+            while True:
+                # A method that runs off to infinity says so in its row, not on the terminal.
+                with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+                    next(run)
+                iterations += 1
+                if iterations % _ITERATES_A_REPORT == 0:
+                    yield progress
+        except StopIteration as end:
+            rows.append(_row(method, end.value, centreline, segments, targets, settings.weights, clock() - started))
+        except (InputError, TargetError) as error:
+            rows.append(_failed(method, iterations, 0, clock() - started, str(error)))
+    return tuple(rows)
+
+
+def published_value(solution: Solution, targets: Targets, weights: Weights) -> float:
+    """Return J of the published objective for a method's end, on that method's own rows and pieces."""
+    objective = PublishedObjective(solution.profile, targets, weights)
+    return objective.value(solution.gradients, solution.scale)
+
+
+def _row(
+    method: SolverMethod,
+    solution: Solution,
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    weights: Weights,
+    seconds: float,
+) -> MethodRow:
+    if not np.isfinite([solution.scale, *solution.gradients]).all():
+        return _failed(method, solution.nit, solution.nfev, seconds, "ran off to infinity")
+    line = make_centreline3d(centreline, segments, solution)
+    found = figures(line)
+    return MethodRow(
+        method,
+        published_value(solution, targets, weights),
+        line,
+        found,
+        deviations(found, targets),
+        solution.nit,
+        solution.nfev,
+        seconds,
+        solution.message,
+    )
+
+
+def _failed(method: SolverMethod, iterations: int, evaluations: int, seconds: float, why: str) -> MethodRow:
+    return MethodRow(method, math.nan, None, None, None, iterations, evaluations, seconds, f"Failed: {why}.")

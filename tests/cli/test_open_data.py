@@ -1,0 +1,57 @@
+"""The error budget and the methods side by side, from the command line."""
+
+import pandas as pd
+import pytest
+
+from tests.cli.calls import TARGETS
+
+
+def test_the_error_budget_its_band_and_its_sentence(call):
+    budget, band = call.path("b.csv"), call.path("s.csv")
+    said = call(
+        "reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--error-budget", budget, "--error-band", band,
+        "--plan-error", "0.001",
+    )  # fmt: skip
+    assert said.status == 0, said.err
+    table = pd.read_csv(budget).set_index("source")
+    assert list(table.columns) == ["plan_length_m", "scale", "elevation_rms_m", "gradient_rms"]
+    assert list(table.index)[-2:] == ["left open by the data", "all together"]
+    assert table.loc["calibration", "scale"] == pytest.approx(0.00196)
+    assert table.loc["rounding of the drop", "elevation_rms_m"] > 0.1
+    rows = pd.read_csv(band)
+    assert list(rows.columns) == ["station_m", "z_m", "z_error_m", "gradient", "gradient_error"]
+    line = pd.read_csv(call.path("l.csv"))
+    assert rows.z_m.to_numpy() == pytest.approx(line.z_m.to_numpy(), abs=1e-4)
+    assert "With 95 % the plan length is" in said.out
+
+
+def test_all_methods_side_by_side(call):
+    table = call.path("m.csv")
+    known = ("--known", "350:14")
+    said = call("reconstruct", call.plan, *TARGETS, *known, "-o", call.path("l.csv"), "--second-opinions", table)
+    assert said.status == 0, said.err
+    rows = pd.read_csv(table).set_index("method")
+    assert list(rows.index) == ["pgd", "published", "lbfgsb", "slsqp", "trustconstr", "de"]
+    assert (rows.seconds > 0).all()
+    assert (rows.evaluations > 0).all()
+    assert rows.loc["pgd", "drop_percent"] == pytest.approx(0, abs=1e-6)
+    assert rows.objective.notna().all()
+    assert rows.loc["lbfgsb", "objective"] <= rows.loc["published", "objective"]
+
+
+def test_a_method_that_fails_is_a_row_with_its_reason(call):
+    table = call.path("m.csv")
+    said = call(
+        "reconstruct", call.plan, *TARGETS, "--unknown-scale", "-o", call.path("l.csv"), "--second-opinions", table
+    )
+    assert said.status == 0, said.err
+    rows = pd.read_csv(table).set_index("method")
+    assert "cannot find an unknown scale" in rows.loc["slsqp", "message"]
+    assert pd.isna(rows.loc["slsqp", "objective"])
+    assert rows.loc["pgd", "objective"] >= 0
+
+
+def test_the_budget_goes_with_pgd_alone(call):
+    arguments = ("--method", "published", "--error-budget", call.path("b.csv"))
+    sentence = call.refused("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), *arguments, status=2)
+    assert "pgd alone" in sentence

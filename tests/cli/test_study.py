@@ -1,0 +1,160 @@
+"""Studies: every combination once, resumable, on processes and on a cluster, failures as rows."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pandas as pd
+import pytest
+
+from bobdesk.files.study_journal import StudyJournal
+from bobdesk.files.study_run import run_study
+from bobdesk.track import study
+from tests.cli.calls import TARGETS
+
+ROOT = Path(__file__).parents[2]
+STUDY = ("--counts", "6,9", "--height-weights", "0.5,1.5", "--methods", "pgd,published,lbfgsb", "--workers", "2")
+
+
+@pytest.fixture
+def finished(call):
+    said = call("study", call.plan, *TARGETS, *STUDY, "-o", call.path("t.csv"))
+    assert said.status == 0, said.err
+    return call
+
+
+def test_every_combination_is_a_row_in_order(finished):
+    rows = pd.read_csv(finished.path("t.csv"), keep_default_na=False)
+    assert list(rows.columns) == list(study.STUDY_COLUMNS)
+    named = rows[["wanted_segments", "height_weight", "method"]].astype(str).agg("/".join, axis=1)
+    each = ["pgd", "published", "lbfgsb"]
+    expected = [
+        f"{count}/{weight}/{method}"
+        for count in (6, 9)
+        for method in each
+        for weight in (("",) if method == "pgd" else ("0.5", "1.5"))
+    ]
+    assert list(named) == expected
+    assert (rows.segments == rows.wanted_segments).all()
+    pgd = rows[rows.method == "pgd"]
+    assert pgd.drop_percent.astype(float).abs().max() < 1e-6
+    # The sample has surveyed elevations.
+    assert rows.z_rms_m.astype(float).between(0.1, 20).all()
+    assert not finished.path("t.csv.unfinished").exists()
+
+
+def test_sets_of_known_elevations_are_rows_of_methods_that_hold_them(call):
+    sets = ("--known-set", "none", "--known-set", "350:14", "--known-set", "200:21 500:7")
+    said = call(
+        "study", call.plan, *TARGETS, *sets, "--methods", "pgd,published", "--workers", 1, "-o", call.path("t.csv")
+    )
+    assert said.status == 0, said.err
+    rows = pd.read_csv(call.path("t.csv"), keep_default_na=False)
+    assert list(rows.known) == ["none", "350:14", "200:21 500:7", ""]
+
+
+def test_a_cell_that_fails_is_a_row_with_its_reason(call):
+    said = call(
+        "study", call.plan, *TARGETS, "--known-set", "none", "--known-set", "20:5", "--workers", 1,
+        "-o", call.path("t.csv"),
+    )  # fmt: skip
+    assert said.status == 0, said.err
+    assert "1 of them failed" in said.out
+    rows = pd.read_csv(call.path("t.csv"), keep_default_na=False)
+    assert list(rows.status) == ["met", "failed"] or list(rows.status) == ["not met", "failed"]
+    assert "between 0 m and 20 m the elevation must fall by 25.00 m" in rows.message[1]
+
+
+def test_a_killed_study_goes_on_and_its_table_is_the_same(finished, call):
+    whole = finished.path("t.csv").read_bytes()
+    output = call.path("again.csv")
+    arguments = [sys.executable, "-m", "bobdesk", "study", str(call.plan), *TARGETS, *STUDY, "-o", str(output)]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    process = subprocess.Popen(arguments, env=environment, stderr=subprocess.DEVNULL, start_new_session=True)
+    journal = output.with_name("again.csv.unfinished")
+    deadline = time.monotonic() + 60
+    while not (journal.exists() and journal.read_bytes().count(b"\n") >= 4) and time.monotonic() < deadline:
+        if process.poll() is not None:
+            break
+        time.sleep(0.005)
+    os.killpg(process.pid, signal.SIGKILL)
+    process.wait()
+    if journal.exists():
+        with journal.open("ab") as file:  # as a line that was cut short
+            file.write(b'[7, ["plan", ')
+        said = call("study", call.plan, *TARGETS, *STUDY, "-o", output)
+        assert said.status == 0, said.err
+        assert "rows were solved before and are kept" in said.err
+    assert output.read_bytes() == whole
+    assert not journal.exists()
+
+
+def test_rows_of_another_study_are_not_used(tmp_path):
+    table = tmp_path / "t.csv"
+    journal = StudyJournal(table, "one")
+    journal.add(0, ("a", "b"))
+    journal.add(3, ("c", "ä"))
+    assert StudyJournal(table, "one").finished() == {0: ("a", "b"), 3: ("c", "ä")}
+    other = StudyJournal(table, "two")
+    assert other.finished() == {}
+    other.add(1, ("x",))
+    assert StudyJournal(table, "two").finished() == {1: ("x",)}
+    assert StudyJournal(table, "one").finished() == {}
+
+
+def test_a_study_is_refused_before_anything_is_solved(call):
+    out = ("-o", call.path("t.csv"))
+    assert "--methods must be of" in call.refused("study", call.plan, *TARGETS, "--methods", "magic", *out, status=2)
+    assert "numbers of segments" in call.refused("study", call.plan, *TARGETS, "--counts", "0", *out, status=2)
+    assert "weights such as" in call.refused("study", call.plan, *TARGETS, "--height-weights", "x", *out, status=2)
+    assert "--known-set takes" in call.refused("study", call.plan, *TARGETS, "--known-set", "3", *out, status=2)
+    assert "same name" in call.refused("study", call.plan, call.plan, *TARGETS, *out, status=2)
+    assert "overwrite an input" in call.refused("study", call.plan, *TARGETS, "-o", call.plan, status=2)
+
+
+def test_the_picture_of_a_study(call):
+    picture = call.path("p.png")
+    said = call(
+        "study", call.plan, *TARGETS, "--counts", "6,9", "--methods", "pgd,published", "--workers", 1,
+        "-o", call.path("t.csv"), "--picture", picture,
+    )  # fmt: skip
+    assert said.status == 0, said.err
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_cluster_that_does_not_answer_is_one_sentence(call):
+    pytest.importorskip("distributed")
+    arguments = ("study", call.plan, *TARGETS, "-o", call.path("t.csv"), "--dask", "nonsense://nowhere")
+    assert "no Dask scheduler answers" in call.refused(*arguments, status=3)
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_a_local_cluster_of_two_workers_gives_the_same_table(finished, call):
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None, scheduler_port=0
+    ) as cluster:
+        said = call("study", call.plan, *TARGETS, *STUDY, "-o", call.path("d.csv"), "--dask", cluster.scheduler_address)
+    assert said.status == 0, said.err
+    assert call.path("d.csv").read_bytes() == finished.path("t.csv").read_bytes()
+
+
+def test_closing_a_study_starts_no_other_cell(tmp_path):
+    class Slow:
+        def __init__(self):
+            self.futures = []
+
+        def submit(self, function, task):
+            from concurrent.futures import Future
+
+            self.futures.append(Future())
+            return self.futures[-1]
+
+    executor = Slow()
+    job = run_study([None] * 3, executor)
+    next(job)
+    job.close()
+    assert all(future.cancelled() for future in executor.futures)
