@@ -61,8 +61,9 @@ class Hand:
         """Return where a station of the plan is on the screen."""
         x, y = self.program.ask(
             "__import__('numpy').column_stack([__import__('numpy').interp("
-            f"[{station}], now.line.stations, now.line.points[:, axis]) for axis in (0, 1)])[0].tolist()"
-            .replace("now.", "widget('strips')._now.value.")
+            f"[{station}], now.line.stations, now.line.points[:, axis]) for axis in (0, 1)])[0].tolist()".replace(
+                "now.", "widget('strips')._now.value."
+            )
         )
         return self.program.ask(f"plan({x}, {-y})")
 
