@@ -51,6 +51,8 @@ class Job(QObject):
         self.title = title
         self.began = time.monotonic()
         self.latest: Any = None
+        # What the user's Stop does, for jobs that keep what they have reached; others are just stopped.
+        self.when_user_stops: Callable[[], object] = self.stop
         self._make = make
         self._steps: deque[Any] = deque(maxlen=_MOST_STEPS_WAITING)
         self._stop = threading.Event()

@@ -244,6 +244,7 @@ class Solving(QObject):
             progressed=self._on_progress,
         )
         control.pause = job.pause
+        job.when_user_stops = self.stop
         self._job = job
         job.ended.connect(self._on_ended)
         self.changed.emit()

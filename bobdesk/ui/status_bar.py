@@ -147,4 +147,4 @@ class StatusBar(QStatusBar):
 
     def _on_stop(self) -> None:
         if self._job is not None:
-            self._job.stop()
+            self._job.when_user_stops()

@@ -149,3 +149,23 @@ def test_a_question_asked_at_a_job_s_end_does_not_hold_the_others_up(runner, unt
     runner.start("First", lambda: counted(1), done=ask)
     until(lambda: found == [3, "answered"])
     until(lambda: runner.jobs == ())
+
+
+def test_a_job_may_keep_what_it_has_when_the_user_stops_it(desk, qtbot, until):
+    from bobdesk.ui.status_bar import StatusBar
+
+    bar = StatusBar(desk)
+    qtbot.addWidget(bar)
+    enough, found = threading.Event(), []
+
+    def job():
+        while not enough.is_set():
+            time.sleep(0.002)
+            yield Progress(0.5, "Solving")
+        return "the best"
+
+    running = desk.runner.start("Solving", job, done=found.append)
+    running.when_user_stops = enough.set
+    until(lambda: bar._stop.isVisibleTo(bar))
+    bar._stop.click()
+    until(lambda: found == ["the best"])
