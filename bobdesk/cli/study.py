@@ -187,7 +187,7 @@ def _solved(
             return with_progress(run_study(tasks, pool, journal), "study")
     except KeyboardInterrupt:
         if journal.path.exists():
-            raise KeyboardInterrupt(
+            raise click.Abort(
                 f"stopped; the finished rows are kept in {journal.path}, and the same command goes on from there"
             ) from None
         raise
