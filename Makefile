@@ -42,8 +42,9 @@ benchmark: $(READY)  ## seconds and memory beside a peer, as a table
 screenshots: $(READY)  ## a picture of every screen and dialog, in out/screenshots
 	@$(BIN)/python packaging/screenshots.py
 
-soak: $(READY)  ## ten minutes of editing, saving and being killed
-	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 600
+soak: $(READY)  ## ten minutes of editing, saving, being killed, and of random gestures
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 300
+	@OPENBLAS_NUM_THREADS=1 QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.soak.random_gestures --seconds 300
 
 clean:  ## remove what the other commands made
 	rm -rf $(VENV) out build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

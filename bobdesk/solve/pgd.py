@@ -217,7 +217,7 @@ def _deepest_dip(problem: Problem, gradients: FloatArray) -> float | None:
 
 
 def _last(problem: Problem, result: Result, tally: Tally) -> Iterate:
-    """Return the result as an iterate: of several ways the best one was chosen, which need not be the last one tried."""
+    """Return the result as an iterate: of several ways the best was chosen, which need not be the last one tried."""
     gradients = problem.gradients(result.v)
     tally.nit += 1
     return Iterate(

@@ -12,13 +12,15 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from types import TracebackType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject
 from PySide6.QtWidgets import QWidget
 
-from bobdesk.ui.dialogs.crash_dialog import CrashDialog
 from bobdesk.ui.fault_report import fault_sentence, fault_text
+
+if TYPE_CHECKING:
+    from bobdesk.ui.dialogs.crash_dialog import CrashDialog
 
 _MOST_WAITING = 50
 # A fault in every paint would otherwise bring the dialog back for ever.
@@ -40,7 +42,7 @@ class CrashGuard(QObject):
     Parameters
     ----------
     keep
-        Writes the recovery copy; may fail.
+        Writes the recovery copy; returns False, or fails, where that could not be done.
     leave
         Saves a copy and ends the program, for those who do not trust it any more.
     window
@@ -116,12 +118,13 @@ class CrashGuard(QObject):
 
     def _kept(self) -> bool:
         try:
-            self._keep()
+            return self._keep() is not False
         except Exception:  # noqa: BLE001 - keeping the work must not bring the next fault; the dialog says that it failed
             return False
-        return True
 
     def _show(self, faults: list[Fault], *, kept: bool) -> None:
+        from bobdesk.ui.dialogs.crash_dialog import CrashDialog
+
         dialog = CrashDialog(faults[0].trace, faults[0].sentence, kept=kept, parent=self._window)
         for fault in faults[1:]:
             dialog.add(fault.trace)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -19,6 +20,15 @@ from bobdesk.ui.questions import PROJECT_SUFFIX, Questions
 Then = Callable[[], None]
 _Stamp = tuple[int, int]
 _EMPTY = Project()
+
+
+@dataclass(frozen=True, eq=False)
+class _NextSave:
+    """A save that was asked for while another one was under way."""
+
+    document: object
+    path: Path
+    then: Then | None
 
 
 class Documents(QObject):
@@ -38,7 +48,7 @@ class Documents(QObject):
         self._questions = questions
         self._stamp: _Stamp | None = None
         self._is_saving = False
-        self._save_again = False
+        self._next_save: _NextSave | None = None
         self.keeper = Keeper(desk, data_folder, self.save, self)
 
     @property
@@ -62,6 +72,25 @@ class Documents(QObject):
         elif answer == "save":
             self.save(then)
 
+    def replace(
+        self, title: str, job: Callable[[], Generator[Progress, None, Project]], done: Callable[[Project], None]
+    ) -> None:
+        """Run a job whose project takes the place of this one; edits that are made meanwhile are asked about again."""
+        session = self._desk.session
+
+        def begin() -> None:
+            agreed = session.project
+
+            def place(project: Project) -> None:
+                if session.project is agreed:
+                    done(project)
+                else:
+                    self.guard(lambda: done(project))
+
+            self._run(title, job, place)
+
+        self.guard(begin)
+
     def open(self) -> None:
         """Ask for a project and open it."""
         path = self._questions.file_to_open("projects", self.tr("Open project"), self._questions.project_filter())
@@ -83,13 +112,12 @@ class Documents(QObject):
             path = item.path if item.path is not None and self.keeper.take(item.path) else None
             self._stamp = None if path is None else _stamp_of(path)
             self._desk.session.open(project, path, recovered=True)
-            self.keeper.keep_now()
-            self.keeper.forget(item)
+            # The old copy is the only one until the new one is on the disk.
+            if self.keeper.keep_now():
+                self.keeper.forget(item)
             self._desk.notices.note(self.tr("The project was recovered; save it to keep it."))
 
-        self.guard(
-            lambda: self._run(self.tr("Recovering {name}").format(name=item.name or self.tr("the project")), job, done)
-        )
+        self.replace(self.tr("Recovering {name}").format(name=item.name or self.tr("the project")), job, done)
 
     def discard(self, item: Recoverable) -> None:
         """Delete what an earlier window left behind."""
@@ -122,6 +150,9 @@ class Documents(QObject):
             return
         if not is_project(path):
             path = path.with_name(path.name + PROJECT_SUFFIX)
+            # The file dialog has asked about the name without the suffix.
+            if path.exists() and not self._questions.overwrite(path.name):
+                return
         if path != self._desk.session.path and not self.keeper.take(path):
             if self._desk.session.path is not None:
                 self.keeper.take(self._desk.session.path)
@@ -163,55 +194,87 @@ class Documents(QObject):
             yield Progress(0.0, "Reading the project")
             return load_project(path)
 
+        agreed = self._desk.session.project
+
         def done(project: Project) -> None:
+            if self._desk.session.project is not agreed:
+                # Somebody went on working while the file was read: that is asked about, too.
+                self._own_lock_again()
+                self.open_project(path)
+                return
             self._stamp = None if as_copy else _stamp_of(path)
             self._desk.session.open(project, None if as_copy else path.absolute(), recovered=as_copy)
             self._desk.settings.remember_recent(path)
 
         def failed(sentence: str) -> None:
-            self.keeper.let_go()
-            if self._desk.session.path is not None:
-                self.keeper.take(self._desk.session.path)
+            self._own_lock_again()
             self._desk.notices.error(sentence)
 
-        self._run(self.tr("Opening {name}").format(name=path.name), job, done, failed)
+        self._run(self.tr("Opening {name}").format(name=path.name), job, done, failed, self._own_lock_again)
+
+    def _own_lock_again(self) -> None:
+        self.keeper.let_go()
+        if self._desk.session.path is not None:
+            self.keeper.take(self._desk.session.path)
 
     def _write(self, path: Path, then: Then | None) -> None:
+        session = self._desk.session
+        document, project = session.document, session.project
         if self._is_saving:
-            self._save_again = True
+            self._next_save = _NextSave(document, path, then)
             return
-        project = self._desk.session.project
         self._is_saving = True
+        written: list[_Stamp | None] = []
 
         def job() -> Generator[Progress, None, None]:
             yield Progress(0.0, "Writing the project")
             save_project(project, path)
+            written.append(_stamp_of(path))
 
-        def done(_: object) -> None:
+        def done(_: object = None) -> None:
             self._is_saving = False
-            self._stamp = _stamp_of(path)
-            self._desk.session.saved(project, path.absolute())
             self._desk.settings.remember_recent(path)
+            # Another document may have been opened meanwhile: its file is another one.
+            if session.document is document:
+                self._stamp = written[0]
+                session.saved(project, path.absolute())
             self.save_ended.emit(True)
-            if self._save_again:
-                self._save_again = False
-                self.save(then)
-            elif then is not None:
+            if self._save_next() or then is None:
+                return
+            if session.document is document and not session.is_saved:
+                self._write(path, then)
+            else:
                 then()
 
         def failed(sentence: str) -> None:
-            self._is_saving = self._save_again = False
+            self._is_saving = False
             self._desk.notices.error(
                 self.tr("The project is not saved: {reason}").format(reason=sentence),
-                Remedy(self.tr("Save under another name…"), self.save_as),
-                Remedy(self.tr("Try again"), self.save),
+                *(self._ways_to_save() if session.document is document else ()),
             )
             self.save_ended.emit(False)
+            if self._next_save is not None and self._next_save.path == path:
+                self._next_save = None
+            self._save_next()
 
         def stopped() -> None:
-            failed(self.tr("saving was stopped"))
+            if written:
+                done()
+            else:
+                failed(self.tr("saving was stopped"))
 
         self._run(self.tr("Saving {name}").format(name=path.name), job, done, failed, stopped)
+
+    def _save_next(self) -> bool:
+        """Do the save that had to wait, unless its document was left meanwhile; return whether there is one."""
+        waiting, self._next_save = self._next_save, None
+        if waiting is None or waiting.document is not self._desk.session.document:
+            return False
+        self._write(waiting.path, waiting.then)
+        return True
+
+    def _ways_to_save(self) -> tuple[Remedy, ...]:
+        return (Remedy(self.tr("Save under another name…"), self.save_as), Remedy(self.tr("Try again"), self.save))
 
     def _run(
         self,

@@ -66,10 +66,10 @@ class Keeper(QObject):
             self._lock.release()
             self._lock = None
 
-    def keep_now(self) -> None:
-        """Have the document as it is written to its recovery copy, and wait for it, at most two seconds."""
+    def keep_now(self) -> bool:
+        """Have the document as it is written to its recovery copy; return whether it is there after two seconds."""
         self._keep(self._desk.session.project)
-        self._recovery.wait(2.0)
+        return self._recovery.wait(2.0)
 
     def close(self, *, forget_copy: bool) -> None:
         """End: `forget_copy` when the document is saved, or not wanted."""

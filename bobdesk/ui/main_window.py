@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
@@ -150,15 +151,22 @@ class MainWindow(QMainWindow):
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files and pictures."""
         if local_paths(event.mimeData()) or event.mimeData().hasImage():
-            event.acceptProposedAction()
+            event.setDropAction(Qt.DropAction.CopyAction)
+            event.accept()
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Open what was dropped."""
-        event.acceptProposedAction()
+        # A file that is moved would be deleted by the program it comes from.
+        event.setDropAction(Qt.DropAction.CopyAction)
+        event.accept()
         paths = local_paths(event.mimeData())
         if len(paths) > 1:
             self.desk.notices.note(self.tr("One file at a time: only the first one is opened."))
-        self.plans.paste(event.mimeData())
+        if paths:
+            # Questions come after the drop, or the program that the file comes from would wait for the answers.
+            QTimer.singleShot(0, self, partial(self.open_file, paths[0]))
+        else:
+            self.plans.paste(event.mimeData())
 
     def _look_at_coordinates(self, path: Path, as_actual: bool) -> Looked | None:
         from bobdesk.ui.dialogs.import_coordinates import look_at_coordinates

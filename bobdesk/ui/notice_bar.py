@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 from bobdesk.ui.banner import Banner
 from bobdesk.ui.icons import icon
 from bobdesk.ui.notices import Notice, Notices, Remedy
+from bobdesk.ui.widgets.long_names import breakable
 
 _MOST_SHOWN = 4
 _NOTE_LASTS_MS = 6000
@@ -43,7 +44,7 @@ class NoticeRow(Banner):
         self._timer.setInterval(_NOTE_LASTS_MS)
         self._timer.timeout.connect(self._on_time)
 
-        sentence = QLabel(notice.sentence)
+        sentence = QLabel(breakable(notice.sentence))
         sentence.setTextFormat(Qt.TextFormat.PlainText)
         sentence.setWordWrap(True)
         sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -165,5 +165,9 @@ class PlanPicture(QObject):
                 self.changed.emit()
 
         self._job = self._runner.start(
-            self.tr("Reading the picture"), lambda: decoded_picture_steps(picture), done=done, failed=failed
+            self.tr("Reading the picture"),
+            lambda: decoded_picture_steps(picture),
+            done=done,
+            failed=failed,
+            stopped=lambda: failed(self.tr("Reading the picture was stopped; open the project again to see it.")),
         )

@@ -158,12 +158,15 @@ class Plans(QObject):
         self._place(self.tr("Open {name}").format(name=path.name), edit, path.name)
 
     def _read(self, job: Callable[[], Generator[Progress, None, _Read]], name: str) -> None:
+        document = self._desk.session.document
+
         def done(found: _Read) -> None:
             self._desk.picture.keep(found.picture, found.decoded)
             self._place(
                 self.tr("Open {name}").format(name=name),
                 lambda project: edits.open_picture(project, found.picture),
                 name,
+                is_meant=self._desk.session.document is document,
             )
             for note in found.decoded.image.notes:
                 self._desk.notices.note(note)
@@ -172,8 +175,11 @@ class Plans(QObject):
             self.tr("Reading {name}").format(name=name), job, done=done, failed=self._desk.notices.error
         )
 
-    def _place(self, label: str, edit: Edit, name: str) -> None:
-        """Make it the plan of a new project, or of the open one if the user says so or that has none yet."""
+    def _place(self, label: str, edit: Edit, name: str, *, is_meant: bool = True) -> None:
+        """Make it the plan of a new project, or of the open one if the user says so or that has none yet.
+
+        `is_meant` is False where another document was opened after the plan had been asked for: that is asked about.
+        """
         session = self._desk.session
 
         def begin() -> None:
@@ -182,10 +188,10 @@ class Plans(QObject):
 
         if not session.is_open:
             begin()
-        elif session.project.picture is None and session.project.source is None:
+        elif is_meant and session.project.picture is None and session.project.source is None:
             session.apply(label, edit)
         else:
-            answer = self._questions.where_to_put_plan(name)
+            answer = self._questions.where_to_put_plan(name, is_meant=is_meant)
             if answer == "new":
                 self._documents.guard(begin)
             elif answer == "replace":

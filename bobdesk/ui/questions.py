@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
 from bobdesk.ui.settings import Settings
+from bobdesk.ui.widgets.long_names import breakable
 
 SaveAnswer = Literal["save", "discard", "cancel"]
 PlanAnswer = Literal["new", "replace", "cancel"]
@@ -52,9 +53,17 @@ class Questions(QObject):
         pressed = self._pressed(box, default=save, escape=cancel)
         return "save" if pressed is save else "discard" if pressed is discard else "cancel"
 
-    def where_to_put_plan(self, name: str) -> PlanAnswer:
-        """Ask whether a plan begins a new project or takes the place of the open one's."""
-        box = self._box(self.tr("This project has a plan already. What shall {name} be?").format(name=name))
+    def where_to_put_plan(self, name: str, *, is_meant: bool = True) -> PlanAnswer:
+        """Ask whether a plan begins a new project or takes the place of the open one's.
+
+        `is_meant` is False where another project was opened while the plan was being read.
+        """
+        words = (
+            self.tr("This project has a plan already. What shall {name} be?")
+            if is_meant
+            else self.tr("Another project was opened while {name} was being read. What shall it be?")
+        )
+        box = self._box(words.format(name=name))
         box.setInformativeText(
             self.tr("Here it takes the place of plan, line and control points; Undo brings them back.")
         )
@@ -82,6 +91,13 @@ class Questions(QObject):
         cancel = box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
         pressed = self._pressed(box, default=save_as, escape=cancel)
         return "overwrite" if pressed is overwrite else "save as" if pressed is save_as else "cancel"
+
+    def overwrite(self, name: str) -> bool:
+        """Say that a file is there already; return whether it shall be replaced."""
+        box = self._box(self.tr("{name} is there already.").format(name=name))
+        overwrite = box.addButton(self.tr("Overwrite it"), QMessageBox.ButtonRole.DestructiveRole)
+        cancel = box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
+        return self._pressed(box, default=cancel, escape=cancel) is overwrite
 
     def file_to_open(self, purpose: str, title: str, filters: str) -> Path | None:
         """Ask for a file to read; `purpose` remembers the folder."""
@@ -120,7 +136,7 @@ class Questions(QObject):
         box = QMessageBox(self._window)
         box.setIcon(QMessageBox.Icon.Question)
         box.setWindowTitle(self.tr("BobDesk"))
-        box.setText(text)
+        box.setText(breakable(text))
         box.setTextFormat(Qt.TextFormat.PlainText)
         return box
 

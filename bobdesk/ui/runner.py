@@ -35,7 +35,7 @@ class Job(QObject):
     failed
         A sentence for the user.
     stopped
-        The job was stopped before its end.
+        The job was stopped before its end, by the user or by a fault, which is raised after that.
     ended
         After any of the three.
     """
@@ -111,6 +111,8 @@ class Job(QObject):
             self.finished.emit(value)
         elif kind == "failed":
             self.failed.emit(value)
+        if kind == "crashed":
+            self.stopped.emit()
         self.ended.emit()
         if kind == "crashed":
             raise value
@@ -212,11 +214,15 @@ class Runner(QObject):
         self._jobs.clear()
 
     def _look(self) -> None:
+        # What is told may ask the user, and a timer does not fire within its own call: other jobs must go on meanwhile.
+        self._timer.start()
         for job in tuple(self._jobs):
+            if not job.is_running:
+                continue  # its end is just being told, further down the stack
             try:
                 job.look()
             finally:
-                if not job.is_running:
+                if not job.is_running and job in self._jobs:
                     self._jobs.remove(job)
                     job.deleteLater()
                     self.jobs_changed.emit()

@@ -47,6 +47,11 @@ class Session(QObject):
         return self._history.value
 
     @property
+    def document(self) -> object:
+        """Stands for the open document: another object once another one was opened in its place."""
+        return self._history
+
+    @property
     def path(self) -> Path | None:
         """The project's file, or None before the first save."""
         return self._path

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal
 
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 # A yield for every iterate would cost the solver a third of its time.
 _YIELD_EVERY_S = 0.003
 _TELL_EVERY_S = 0.1
+# Of its time the solver loses at most this share to being shown.
+_SHOWING_SHARE = 0.025
+# The solver waits for a picture no longer than this.
+_PATIENCE_S = 0.1
 
 
 class _Control:
@@ -37,6 +41,9 @@ class _Control:
         self.record = IterateRecord(project.targets.length)
         self.enough = threading.Event()
         self.single = threading.Event()
+        # Closed while the window draws: two threads that fight for the interpreter are slower than one after the other.
+        self.gate = threading.Event()
+        self.gate.set()
         self.pause: Callable[[], object] = self.enough.is_set
         self.line: Centreline | None = None
         self.inputs: RunInputs | None = None
@@ -66,6 +73,8 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
                 next(job)
             except StopIteration as end:
                 return end.value  # type: ignore[no-any-return]
+            if not control.gate.is_set():
+                control.gate.wait(_PATIENCE_S)
             if control.single.is_set():
                 control.single.clear()
                 control.pause()
@@ -111,6 +120,7 @@ class Solving(QObject):
         self._waiting: deque[_Control] = deque()
         self._journeys: WeakKeyDictionary[Layout, Journey] = WeakKeyDictionary()
         self._told = 0.0
+        self._wait = _TELL_EVERY_S
         self._rate_from = (0.0, 0)
         self._rate = 0.0
         desk.session.document_changed.connect(self.drop_all)
@@ -225,6 +235,7 @@ class Solving(QObject):
     def _begin(self, control: _Control) -> None:
         self._control = control
         self._told, self._rate, self._rate_from = 0.0, 0.0, (time.perf_counter(), 0)
+        self._wait = _TELL_EVERY_S
         job = self._desk.runner.start(
             self.tr("Solving {name}").format(name=control.name),
             lambda: _pulled(control),
@@ -239,16 +250,25 @@ class Solving(QObject):
 
     def _on_progress(self, count: int) -> None:
         now = time.perf_counter()
-        if now - self._told < _TELL_EVERY_S and not self.is_paused:
+        if now - self._told < self._wait and not self.is_paused:
             return
         self._told = now
         since, before = self._rate_from
         if now > since:
             self._rate = (count - before) / (now - since)
         self._rate_from = (now, count)
+        control = self._control
+        if control is not None:
+            control.gate.clear()
         self.advanced.emit()
         if self.is_paused:
             self.changed.emit()
+        # What listeners have asked to be laid out and painted is done now, while the solver waits for it.
+        for kind in (QEvent.Type.LayoutRequest, QEvent.Type.UpdateRequest):
+            QCoreApplication.sendPostedEvents(None, kind.value)
+        self._wait = max(_TELL_EVERY_S, (time.perf_counter() - now) / _SHOWING_SHARE)
+        if control is not None:
+            control.gate.set()
 
     def _on_done(self, run: Run) -> None:
         from bobdesk.project import edits

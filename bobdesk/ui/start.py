@@ -61,12 +61,7 @@ class Start(QObject):
             yield Progress(0.0, "Reading the sample")
             return load_project(path)
 
-        def begin() -> None:
-            self._desk.runner.start(
-                self.tr("Opening the sample"), job, done=self._documents.begin, failed=self._desk.notices.error
-            )
-
-        self._documents.guard(begin)
+        self._documents.replace(self.tr("Opening the sample"), job, self._documents.begin)
 
     def _recover(self, item: Recoverable) -> None:
         self._documents.recover(item)

@@ -12,6 +12,7 @@ from bobdesk.project import derive
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
 from bobdesk.ui.runner import Job
+from bobdesk.ui.widgets.long_names import shortened
 
 # Shorter work is over before one has read what it is.
 _SHOW_AFTER_S = 0.3
@@ -45,6 +46,8 @@ class StatusBar(QStatusBar):
         self._stop.clicked.connect(self._on_stop)
         self._saved = QLabel(self)
         self._saved.setAccessibleName(self.tr("Saved or not"))
+        for label in (self._tool, self._plan, self._doing):
+            label.setMinimumWidth(1)  # the window may be narrower than its sentences; the tool tip has them whole
         self.addWidget(self._tool, 1)
         for widget in (self._place, self._plan, self._doing, self._bar, self._stop, self._saved):
             self.addPermanentWidget(widget)
@@ -87,9 +90,10 @@ class StatusBar(QStatusBar):
 
     def _show_plan(self) -> None:
         project = self._desk.session.project
+        plan = project.picture or project.source
         parts = []
         if project.picture is not None:
-            parts.append(project.picture.name)
+            parts.append(shortened(project.picture.name))
             if project.picture.size_px is not None:
                 width, height = project.picture.size_px
                 parts.append(self.tr("{width} × {height} px").format(width=width, height=height))
@@ -98,8 +102,9 @@ class StatusBar(QStatusBar):
                 per_pixel = self._desk.quantities.length(found.metres_per_pixel, 4)
                 parts.append(self.tr("{length}/px").format(length=per_pixel))
         elif project.source is not None:
-            parts.append(project.source.name)
+            parts.append(shortened(project.source.name))
         self._plan.setText(" · ".join(parts))
+        self._plan.setToolTip("" if plan is None else plan.name)
 
     def _show_saved(self) -> None:
         session = self._desk.session
@@ -128,7 +133,7 @@ class StatusBar(QStatusBar):
             self._job = job
             if job is not None:
                 job.progressed.connect(self._on_progress)
-                self._doing.setText(job.title)
+                self._doing.setText(shortened(job.title))
                 self._bar.setRange(0, 0)
                 self._stop.setIcon(icon("stop"))
         for widget in (self._doing, self._bar, self._stop):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Generator
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from bobdesk.progress import Progress
@@ -18,6 +18,7 @@ from bobdesk.ui.theme import colours
 STEPS: tuple[StepName, ...] = ("Plan", "Scale", "Centreline", "Segments", "Solve", "Export")
 # Typing and dragging end before the steps are looked at again.
 _REST_MS = 120
+_NARROW = 1000
 
 
 def _look_steps(project: Project) -> Generator[Progress, None, tuple[Step, ...]]:
@@ -44,6 +45,8 @@ class StepsBar(QWidget):
         self._steps: tuple[Step, ...] = ()
         self._job: Job | None = None
         self._buttons: dict[StepName, QToolButton] = {}
+        self._with_words: list[QToolButton] = []
+        self._is_narrow = False
         self._group = QButtonGroup(self)
         self._sentence = QLabel(self)
         self._sentence.setProperty("kind", "muted")
@@ -69,14 +72,20 @@ class StepsBar(QWidget):
         self._restyle()
         self._say()
 
-    def add_at_right(self, button: QToolButton) -> None:
-        """Add a button at the right end, such as Undo."""
+    def add_at_right(self, button: QToolButton, *, words: bool) -> None:
+        """Add a button at the right end, such as Undo; `words` shows its text where there is room."""
         self._right.addWidget(button)
+        if words:
+            self._with_words.append(button)
+        self._fit()
 
     def show_step(self, name: StepName) -> None:
         """Mark a step as the one whose panel is shown."""
         self._shown = name
         self._buttons[name].setChecked(True)
+        for other, button in self._buttons.items():
+            # One stop of the Tab key for all six; from there the arrows go on.
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus if other == name else Qt.FocusPolicy.ClickFocus)
         self._restyle()
         self._say()
 
@@ -99,6 +108,14 @@ class StepsBar(QWidget):
             self.chosen.emit(STEPS[at])
             self.take_focus()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Sit closer, and leave words out, in a narrow window."""
+        super().resizeEvent(event)
+        if (self.width() < _NARROW) is not self._is_narrow:
+            self._is_narrow = not self._is_narrow
+            self._fit()
+            self._restyle()
+
     def changeEvent(self, event: QEvent) -> None:
         """Take the colours of another theme."""
         if event.type() == QEvent.Type.PaletteChange and self._buttons:
@@ -115,6 +132,14 @@ class StepsBar(QWidget):
         self._group.addButton(button)
         self._buttons[name] = button
         return button
+
+    def _fit(self) -> None:
+        for button in self._with_words:
+            button.setToolButtonStyle(
+                Qt.ToolButtonStyle.ToolButtonIconOnly
+                if self._is_narrow
+                else Qt.ToolButtonStyle.ToolButtonTextBesideIcon
+            )
 
     def _titles(self) -> dict[StepName, str]:
         return {
@@ -138,6 +163,7 @@ class StepsBar(QWidget):
     def _restyle(self) -> None:
         of = colours()
         colour_of = {"done": of.good, "next": of.text, "later": of.muted, "out of date": of.warning}
+        padding = 5 if self._is_narrow else 12
         found = {step.name: step for step in self._steps}
         titles, states = self._titles(), self._states()
         for number, name in enumerate(STEPS, start=1):
@@ -152,7 +178,7 @@ class StepsBar(QWidget):
             button.setAccessibleDescription(f"{words}. {sentence}")
             weight = "700" if state in ("next", "out of date") else "500"
             button.setStyleSheet(
-                f"QToolButton {{ border: 1px solid transparent; border-radius: 13px; padding: 4px 12px;"
+                f"QToolButton {{ border: 1px solid transparent; border-radius: 13px; padding: 4px {padding}px;"
                 f" color: {colour_of[state]}; font-weight: {weight}; background: transparent; }}"
                 f"QToolButton:hover {{ background: {of.accent_soft}; }}"
                 f"QToolButton:focus {{ border-color: {of.accent}; }}"

@@ -227,6 +227,11 @@ def _style_sheet(of: Colours) -> str:
 QToolTip {{ color: {of.text}; background: {of.base}; border: 1px solid {of.border}; padding: 3px; }}
 QStatusBar {{ background: {of.window}; border-top: 1px solid {of.border}; }}
 QStatusBar::item {{ border: none; }}
+QCheckBox::indicator:unchecked, QRadioButton::indicator:unchecked {{ width: 13px; height: 13px;
+    border: 1px solid {of.muted}; background: {of.base}; }}
+QCheckBox::indicator:unchecked {{ border-radius: 3px; }}
+QRadioButton::indicator:unchecked {{ border-radius: 7px; }}
+QCheckBox::indicator:unchecked:disabled, QRadioButton::indicator:unchecked:disabled {{ border-color: {of.border}; }}
 QMenuBar {{ background: {of.window}; }}
 QMenuBar::item:selected {{ background: {of.accent_soft}; }}
 QToolBar {{ background: {of.window}; border: none; spacing: 3px; padding: 3px; }}
@@ -253,6 +258,11 @@ QPushButton[kind="primary"]:disabled {{ background: {of.border}; border-color: {
 QPushButton[kind="primary"]:focus {{ border: 2px solid {of.text}; }}
 QPushButton[kind="link"] {{ border: none; background: transparent; color: {of.accent}; text-decoration: underline;
     padding: 2px; }}
+QToolButton[kind="chip"] {{ border: 1px solid {of.border}; border-radius: 4px; padding: 2px 6px; color: {of.muted}; }}
+QToolButton[kind="chip"]:checked {{ border-color: {of.accent}; background: {of.accent_soft}; color: {of.text}; }}
+QToolButton[kind="chip"]:focus {{ border: 2px solid {of.accent}; }}
+QTableView#runs_table::indicator {{ width: 11px; height: 11px; border: 1px solid {of.muted}; background: {of.base}; }}
+QTableView#runs_table::indicator:checked {{ border-color: {of.accent}; background: {of.accent}; }}
 QTableView {{ gridline-color: {of.border}; selection-background-color: {of.selected_row};
     selection-color: {of.text}; }}
 QHeaderView::section {{ background: {of.window}; color: {of.muted}; font-weight: 600; border: none;

@@ -140,9 +140,7 @@ class WindowLayout:
         button = QToolButton(self._window)
         button.setDefaultAction(self._window.actions_by_name[name])
         button.setAutoRaise(True)
-        if name == "undo":
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        self._window.steps_bar.add_at_right(button)
+        self._window.steps_bar.add_at_right(button, words=name == "undo")
         return button
 
     def _first_size(self) -> QSize:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.benchmarks import canvas, openness, solvers, studies, tracing
+from tests.benchmarks import canvas, live_plots, openness, responsiveness, solvers, studies, tracing
 from tests.benchmarks.measure import print_table
 
 
@@ -15,6 +15,8 @@ def main() -> None:
     print_table("A study", studies.rows())
     print_table("Tracing a drawn line, beside scikit-image's path on the same cost", tracing.rows())
     print_table("Frames of a 12000 × 8400 picture, ms of processor", canvas.rows())
+    print_table("Lateness of a 5 ms timer of the window while work runs, ms", responsiveness.rows())
+    live_plots.main()
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ class Answers(Questions):
         self.save_answer = "cancel"
         self.changed_answer = "cancel"
         self.copy_answer = False
+        self.overwrite_answer = False
         self.save_path = None
         self.open_path = None
         self.plan_answer = "cancel"
@@ -30,6 +31,10 @@ class Answers(Questions):
         self.asked.append("open elsewhere")
         return self.copy_answer
 
+    def overwrite(self, name):
+        self.asked.append("overwrite")
+        return self.overwrite_answer
+
     def file_to_save(self, purpose, title, name, filters, suffix):
         self.asked.append("where")
         return self.save_path
@@ -38,6 +43,6 @@ class Answers(Questions):
         self.asked.append("which")
         return self.open_path
 
-    def where_to_put_plan(self, name):
+    def where_to_put_plan(self, name, *, is_meant=True):
         self.asked.append("where to put the plan")
         return self.plan_answer

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QImage
 from bobdesk.errors import InputError
 from bobdesk.files.importers.formats import read_line
 from bobdesk.project import edits
+from bobdesk.project.project import Picture, Project
 from bobdesk.ui.plans import Plans
 
 SAMPLES = Path(__file__).parent.parent.parent / "resources" / "samples"
@@ -151,3 +152,21 @@ def test_comparison_needs_elevations(plans, desk, answers, tmp_path, said):
     answers.open_path = SAMPLES / "mugello" / "mugello.csv"
     plans.compare_with_file()
     assert desk.session.project.actual.name == "mugello.csv"
+
+
+def test_plan_does_not_land_unasked_in_a_project_that_was_opened_meanwhile(
+    plans, desk, documents, answers, drawing, until
+):
+    documents.begin()
+    plans.open_picture(drawing)
+    documents.begin()
+    until(lambda: desk.runner.jobs == ())
+    assert answers.asked == ["where to put the plan"]
+    assert desk.session.project.picture is None
+
+
+def test_stopped_reading_of_a_project_s_picture_says_so(desk, drawing, until):
+    desk.session.open(Project(picture=Picture(drawing.read_bytes(), "igls.png")), None)
+    desk.picture.job.stop()
+    until(lambda: desk.picture.problem is not None)
+    assert "stopped" in desk.picture.problem

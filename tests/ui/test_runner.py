@@ -2,6 +2,8 @@ import threading
 import time
 
 import pytest
+from PySide6.QtCore import QEventLoop, QTimer
+from PySide6.QtTest import QTest
 
 from bobdesk.errors import InputError
 from bobdesk.progress import Progress
@@ -120,3 +122,30 @@ def test_close_ends_the_threads(qapp):
     runner.close()
     assert job.wait(0)
     assert runner.jobs == ()
+
+
+def test_fault_ends_like_a_stop_so_that_who_waits_can_go_on(runner, qtbot):
+    def job():
+        yield Progress(0, "")
+        raise ZeroDivisionError("a fault")
+
+    stopped = []
+    with qtbot.captureExceptions():
+        runner.start("Dividing", job, stopped=lambda: stopped.append(True))
+        qtbot.waitUntil(lambda: stopped == [True], timeout=5000)
+
+
+def test_a_question_asked_at_a_job_s_end_does_not_hold_the_others_up(runner, until):
+    found = []
+
+    def ask(_result):
+        loop = QEventLoop()
+        runner.start("Second", lambda: counted(3), done=lambda result: (found.append(result), loop.quit()))
+        QTimer.singleShot(5000, loop, loop.quit)
+        loop.exec()
+        QTest.qWait(60)  # a job that has ended is deleted, but not while its end is being told
+        found.append("answered")
+
+    runner.start("First", lambda: counted(1), done=ask)
+    until(lambda: found == [3, "answered"])
+    until(lambda: runner.jobs == ())

@@ -94,6 +94,7 @@ class ViewActions(QObject):
             "trace": self.tr("&Digitised line"),
             "centreline": self.tr("&Centreline beside a digitised edge"),
             "segments": self.tr("&Segments"),
+            "actual_track": self.tr("&Actual track"),
             "stations": self.tr("S&tations"),
             "control_points": self.tr("Control &points and distances"),
             "flags": self.tr("Start and &finish"),

@@ -34,6 +34,7 @@ class ExportPanel(Panel):
         self.name_it(self.tr("Export"))
         self.figures = FiguresPart(self)
         self._path: Path | None = None
+        self._is_wanted = False
         self._questions = Questions(desk.settings, self)
         self._reports = ReportSaving(desk, self._questions, self)
         self._file, column = self.add_section(self.tr("File"))
@@ -105,8 +106,10 @@ class ExportPanel(Panel):
         self.ensureWidgetVisible(self.save_button)
 
     def save(self) -> None:
-        """Write the file again where it was written last, or ask where."""
-        if self._path is None:
+        """Write the file again where it was written last, or ask where; one that is still prepared is waited for."""
+        if self._written() is None:
+            self._is_wanted = True
+        elif self._path is None:
             self.save_as()
         else:
             self._write(self._path)
@@ -140,7 +143,7 @@ class ExportPanel(Panel):
         self.copy_button.clicked.connect(self.copy)
         self.pdf_button.clicked.connect(lambda: self._reports.save("pdf"))
         self.html_button.clicked.connect(lambda: self._reports.save("html"))
-        self.later.changed.connect(self._show)
+        self.later.changed.connect(self._on_written)
         self.desk.session.changed.connect(self._on_changed)
         self.desk.session.document_changed.connect(self._forget)
         self.desk.quantities.changed.connect(self._refresh)
@@ -151,7 +154,14 @@ class ExportPanel(Panel):
         self._refresh()
 
     def _forget(self) -> None:
-        self._path = None
+        self._path, self._is_wanted = None, False
+
+    def _on_written(self) -> None:
+        self._show()
+        if self._is_wanted and self.later.is_current:
+            self._is_wanted = False
+            if self._written() is not None:
+                self.save()
 
     def _refresh(self) -> None:
         project, unit = self.desk.session.project, self.desk.quantities
@@ -168,7 +178,7 @@ class ExportPanel(Panel):
         is_table = self._format().is_table
         self.flavour.setVisible(is_table)
         self._flavour_label.setVisible(is_table)
-        self._spacing_label.setText(f"{self.tr('Row spacing')}, {unit.length_unit}")
+        self._spacing_label.setText(self.tr("Row spacing") + f", {unit.length_unit}")
         self.spacing.show_value(None if choice.spacing is None else choice.spacing * unit.length_factor)
         if project.run is not None:
             solved = project.run.inputs.settings
@@ -180,8 +190,10 @@ class ExportPanel(Panel):
     def _show(self) -> None:
         found: Written | None = self.later.value
         ready = found is not None and self.later.is_current
-        for button in (self.save_button, self.save_as_button, self.copy_button):
+        for button in (self.save_as_button, self.copy_button):
             button.setEnabled(ready)
+        # Ctrl+E, then Enter, must not depend on how quick one is.
+        self.save_button.setEnabled(ready or (self.later.problem is None and not self.later.is_current))
         text = self.tr("Save {title}…").format(title=self._format().extension.removeprefix(".").upper())
         if self._path is not None:
             text = self.tr("Save {name}").format(name=self._path.name)

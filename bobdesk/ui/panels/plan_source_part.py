@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt
 
 from bobdesk.project import derive
 from bobdesk.project.project import Picture, Project, SourceLine
+from bobdesk.ui.widgets.long_names import breakable
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 
@@ -105,4 +106,4 @@ class PlanSourcePart(Part):
 
 def _breakable(name: str) -> str:
     """Return a file's name that may be wrapped behind its signs."""
-    return re.sub(r"([_.\-])", "\\1\u200b", name)
+    return breakable(re.sub(r"([_.\-])", "\\1\u200b", name))

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QGraphicsScene
 
 from bobdesk.project.steps import StepName
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.layers.actual_track import ActualTrackLayer
 from bobdesk.ui.plan_view.layers.centreline import CentrelineLayer
 from bobdesk.ui.plan_view.layers.control_points import ControlPointsLayer
 from bobdesk.ui.plan_view.layers.flags import FlagsLayer
@@ -27,6 +28,7 @@ from bobdesk.ui.plan_view.tool_box import ToolBox
 _IN_STEPS: dict[str, tuple[StepName, ...]] = {
     "control_points": ("Plan", "Scale"),
     "segments": ("Segments", "Solve", "Export"),
+    "actual_track": ("Solve", "Export"),
 }
 
 
@@ -43,6 +45,7 @@ class LayerStack:
             TraceLayer(desk, frame, lambda: tools.current.preview_points()),
             CentrelineLayer(desk, frame),
             SegmentsLayer(desk, frame),
+            ActualTrackLayer(desk, frame),
             StationsLayer(desk, frame),
             FlagsLayer(desk, frame),
             ControlPointsLayer(desk, frame),

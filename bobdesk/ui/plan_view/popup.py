@@ -7,7 +7,9 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QDialogButtonBox, QDoubleSpinBox, QFormLayout, QFrame, QLabel, QWidget
+from PySide6.QtWidgets import QDialogButtonBox, QFormLayout, QFrame, QLabel, QWidget
+
+from bobdesk.ui.widgets.spin import Spin
 
 _AWAY = 14
 
@@ -82,13 +84,16 @@ class Popup(QFrame):
         self._boxes[0].selectAll()
 
     @property
-    def boxes(self) -> list[QDoubleSpinBox]:
+    def boxes(self) -> list[Spin]:
         """The fields to type in."""
         return self._boxes
 
     def take(self) -> None:
         """Use the numbers; the form stays while they cannot be used."""
         for box in self._boxes:
+            if box.say_what_is_wrong():
+                box.setFocus(Qt.FocusReason.OtherFocusReason)
+                return
             box.interpretText()
         if self._taken([box.value() for box in self._boxes]):
             self.drop()
@@ -116,19 +121,27 @@ class Popup(QFrame):
         if event.type() == QEvent.Type.ShortcutOverride:
             event.accept()
             return True
+        # A box would put its number from before in the place of a text that it cannot read.
+        if (
+            event.type() == QEvent.Type.KeyPress
+            and isinstance(event, QKeyEvent)
+            and event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter)
+        ):
+            self.take()
+            return True
+        if isinstance(watched, Spin) and event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent):
+            leaves = event.key() in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab)
+            return leaves and watched.say_what_is_wrong()
         return super().eventFilter(watched, event)
 
-    def _box(self, field: Field) -> QDoubleSpinBox:
-        box = QDoubleSpinBox(self)
-        box.setKeyboardTracking(False)
+    def _box(self, field: Field) -> Spin:
+        box = Spin(field.label, self)
         box.setDecimals(field.digits)
         box.setRange(field.least, field.most)
         box.setValue(field.value)
         box.setSuffix(f" {field.unit}")
-        box.setButtonSymbols(QDoubleSpinBox.ButtonSymbols.NoButtons)
+        box.setButtonSymbols(Spin.ButtonSymbols.NoButtons)
         box.setMinimumWidth(150)
-        box.setAlignment(Qt.AlignmentFlag.AlignRight)
-        box.setAccessibleName(field.label)
         box.setToolTip(field.label)
         box.installEventFilter(self)
         return box

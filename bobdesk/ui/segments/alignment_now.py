@@ -94,6 +94,11 @@ class AlignmentNow(QObject):
         """Whether a drag in mid-work is shown."""
         return self._preview is not None or self._threshold is not None
 
+    @property
+    def is_trying_threshold(self) -> bool:
+        """Whether a threshold is being dragged."""
+        return self._threshold is not None
+
     def preview(self, segments: Segments | None, *, threshold: float | None = None) -> None:
         """Show other segments without changing the document; None shows the document's again."""
         if segments is None or self._known is None:

@@ -93,7 +93,7 @@ class AutomaticPart(Part):
             self.rule.setCurrentIndex(self.rule.findData(settings.rule))
         is_automatic = settings.threshold is None
         with QSignalBlocker(self.threshold_auto):
-            self.threshold_auto.setChecked(is_automatic and not self._now.is_preview)
+            self.threshold_auto.setChecked(is_automatic and not self._now.is_trying_threshold)
         shown = self._now.threshold or settings.threshold or 0.004
         self.threshold.setSuffix(f" 1/{unit.length_unit}")
         self.threshold.show_range(1e-4 / factor, 1.0 / factor)
@@ -131,6 +131,7 @@ class AutomaticPart(Part):
         row.addWidget(box)
         row.addWidget(spin, 1)
         both.setFocusProxy(spin)
+        spin.setToolTip(tip)
         self.panel.add_field(form, self.tr("Curvature threshold"), both, tip)  # type: ignore[arg-type]
         return spin, box
 

@@ -5,13 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from bobdesk.alignment.segments import Segment
+from bobdesk.alignment.segments import Segment, Segments
 from bobdesk.errors import InputError
 from bobdesk.files.importers.design_list import DesignCurve, DesignList, read_design_list
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
+
+_GRID = 0.5
+_FARTHEST = 200
 
 
 @dataclass(frozen=True)
@@ -68,8 +72,7 @@ class Design(QObject):
         except InputError as error:
             self._desk.notices.error(str(error))
             return False
-        # A list that begins before its own 0 (the start block) is most likely given from the timing start.
-        self._offset = max(0.0, -self._list.curves[0].start)
+        self._offset = best_offset(self._list, self._now.segments)
         self.changed.emit()
         return True
 
@@ -99,6 +102,29 @@ class Design(QObject):
     def _on_now(self) -> None:
         if self._list is not None:
             self.changed.emit()
+
+
+def best_offset(design: DesignList, segments: Segments) -> float:
+    """Return the offset at which curves of the list lie best over curves of ours, m, to half a metre.
+
+    Designers count from the timing start, which lies some 20 m behind the start of the line.
+    """
+    if not segments:
+        return 0.0
+    length = max(segments[-1].end, design.curves[-1].end)
+    stations = np.arange(0.0, length, _GRID)
+    ours, theirs = np.full(len(stations), -1.0), np.full(len(stations), -1.0)
+    for segment in segments:
+        if segment.kind == "curve":
+            ours[(stations >= segment.start) & (stations < segment.end)] = 1.0
+    for curve in design.curves:
+        theirs[(stations >= curve.start) & (stations < curve.end)] = 1.0
+    shifts = np.arange(-_FARTHEST, _FARTHEST + 1)
+    count = len(stations)
+    agree = [
+        float(ours[max(s, 0) : count + min(s, 0)] @ theirs[max(-s, 0) : count + min(-s, 0)]) for s in shifts.tolist()
+    ]
+    return float(shifts[int(np.argmax(agree))] * _GRID) if count > _FARTHEST else 0.0
 
 
 def design_of(desk: Desk) -> Design:

@@ -105,6 +105,10 @@ class GainPicture(QWidget):
             QToolTip.showText(event.globalPosition().toPoint(), self._sentence(self._hovered), self)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Wait for the release."""
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         """Want the number under the mouse."""
         number = self._number_at(event.position().x())
         if event.button() == Qt.MouseButton.LeftButton and number is not None:

@@ -240,7 +240,8 @@ class SegmentsModel(QAbstractTableModel):
                 lambda row: unit.length(self.gradient_of(row)[1], 2, unit=False), lambda row: self.gradient_of(row)[1],
             ),
             _Column(
-                "fit", with_unit(self.tr("Fit ±")), self.tr("Largest distance of the line from the fitted arc or straight"),
+                "fit", with_unit(self.tr("Fit ±")),
+                self.tr("Largest distance of the line from the fitted arc or straight"),
                 lambda row: unit.length(self._now.figures[row].deviation, 2, unit=False),
                 lambda row: self._now.figures[row].deviation,
             ),

@@ -13,7 +13,7 @@ from bobdesk.ui.segments.segments_model import KIND, SORT_ROLE, SegmentsModel
 from bobdesk.ui.widgets.table import Table
 
 _SAMPLES = {
-    "#": "300", "from": "88,888.8", "to": "88,888.8", "length": "8,888.8", "radius": "8,888.8", "lock": "MM",
+    "#": "300", "from": "8,888.8", "to": "8,888.8", "length": "888.8", "radius": "888.8", "lock": "MM",
     "name": "Labyrinth 12", "side": "rechts", "turn": "888.8°", "gradient": "−88.88", "drop": "888.88", "fit": "88.88",
 }  # fmt: skip
 

@@ -51,6 +51,7 @@ class ConvergencePart(Part):
             button.setToolTip(tip)
             button.setAccessibleName(tip)
             button.setCheckable(True)
+            button.setProperty("kind", "chip")
             button.setChecked(name in _AT_FIRST)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             button.setIconSize(QSize(22, 10))

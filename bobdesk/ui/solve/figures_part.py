@@ -50,7 +50,7 @@ class FiguresPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._rows), panel.refuse, parent=self)
         self.table = Table(self.tr("Figures of the result"), self.model, fewest_rows=4, most_rows=10, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("|K2 − K3|, mean, 1/m", "8,888.88", "≥ −88.88", "8,888.88", "−8.888 %"))
+        self.table.fit_columns(("Min. gradient, %", "8,888.8", "≥ −88.88", "8,888.8", "−8.888 %"))
         self.column.addWidget(self.table)
         self.note = panel.add_label("", "muted", self.column)
         flow = panel.add_buttons(self.column)
@@ -96,7 +96,7 @@ class FiguresPart(Part):
             Column(lambda: self.tr("Target"), self.tr("What it was to meet"), lambda row: self._rows[row].target),
             Column(lambda: self.tr("Actual"), self.tr("Of the actual track"), lambda row: self._rows[row].actual),
             Column(
-                lambda: self.tr("Deviation"),
+                lambda: self.tr("Off by"),
                 self.tr("From the actual track, or from the target where there is none"),
                 lambda row: self._rows[row].deviation,
             ),
@@ -139,7 +139,7 @@ class FiguresPart(Part):
             _Row(self.tr("Plan length") + in_length, metres(found.plan_length), "–",
                  "–" if actual is None else metres(actual.plan_length),
                  "" if actual is None else self._percent(100 * (found.plan_length / actual.plan_length - 1))),
-            _Row(self.tr("|K2 − K3|, mean") + ", 1/m", f"{found.mean_curvature_difference:.3g}"),
+            _Row(self.tr("|K2−K3|") + ", 1/m", f"{found.mean_curvature_difference:.3g}"),
         ]  # fmt: skip
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:

@@ -80,13 +80,14 @@ class Report(QObject):
         return bytes(buffer.data().data())
 
     def _title(self) -> str:
-        return f"{self._project.name or self.tr('Track')} – {self._run.name}"
+        return (self._project.name or self.tr("Track")) + f" – {self._run.name}"
 
     def _page(self, sources: list[str], *, width: str) -> str:
         run = self._run
         parts = [f"<h1>{_safe(self._title())}</h1>", f'<p class="muted">{_safe(self._subtitle())}</p>']
         if self._why:
-            parts.append(f"<p><b>{_safe(self.tr('Out of date: {why}.').format(why=self._why))}</b></p>")
+            out_of_date = self.tr("Out of date: {why}.").format(why=self._why)
+            parts.append(f"<p><b>{_safe(out_of_date)}</b></p>")
         parts += self._table(self.tr("Figures"), self._figures(), heads=self._heads())
         if self._comparison is not None:
             parts += self._table(self.tr("Beside the actual track"), self._compared(self._comparison))
@@ -103,7 +104,8 @@ class Report(QObject):
         parts += self._table(self.tr("Sources"), self._sources())
         if self._project.notes.strip():
             lines = "<br>".join(_safe(line) for line in self._project.notes.splitlines())
-            parts += [f"<h2>{_safe(self.tr('Notes'))}</h2>", f"<p>{lines}</p>"]
+            heading = self.tr("Notes")
+            parts += [f"<h2>{_safe(heading)}</h2>", f"<p>{lines}</p>"]
         parts.append(f'<p class="muted">{_safe(run.message)} BobDesk {__version__}.</p>')
         body = "\n".join(parts)
         return (

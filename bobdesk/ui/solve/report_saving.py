@@ -52,7 +52,8 @@ class ReportSaving(QObject):
         project = self._desk.session.project
         if project.run is None:
             return
-        name = f"{project.name or self.tr('track')}-{project.run.name}.{kind}".replace("/", "-")
+        name = (project.name or self.tr("track")) + f"-{project.run.name}.{kind}"
+        name = name.replace("/", "-")
         path = self._questions.file_to_save("export", self.tr("Report"), name, f"{kind.upper()} (*.{kind})", f".{kind}")
         if path is not None:
             self.write(kind, path)

@@ -34,6 +34,7 @@ class ResultStrips(QObject):
         self._shown = shown_result_of(desk)
         self._now = alignment_now(desk)
         self._overlays = 0
+        self._was_live = False
         self._band_of: object = None
         self._shown.changed.connect(self._draw)
         self._now.changed.connect(self._draw)
@@ -82,6 +83,9 @@ class ResultStrips(QObject):
                 column="curvature_3d_per_m",
             )  # fmt: skip
         stack.curvature.set_curve(_SPACE, space)
+        if self._shown.is_live and self._was_live:
+            return  # all else stays as it is while a run works
+        self._was_live = self._shown.is_live
         self._draw_overlays()
         self._draw_actual(line)
         self._draw_band()

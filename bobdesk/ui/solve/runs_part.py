@@ -31,6 +31,8 @@ class RunsModel(ColumnsModel):
         if role == Qt.ItemDataRole.DecorationRole and index.column() == _NAME and self.colour_of is not None:
             colour = self.colour_of(index.row())
             return _dot(colour) if colour else None
+        if role == Qt.ItemDataRole.CheckStateRole and self.colour_of is not None and not self.colour_of(index.row()):
+            return None
         return super().data(index, role)
 
 
@@ -46,6 +48,7 @@ class RunsPart(Part):
         )
         self.model.colour_of = self._colour_of
         self.table = Table(self.tr("Runs"), self.model, fewest_rows=2, most_rows=8, parent=self)
+        self.table.setObjectName("runs_table")
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self._fit()
         self.column.addWidget(self.table)
@@ -129,16 +132,16 @@ class RunsPart(Part):
                 self._rename,
                 is_number=False,
             ),
-            figure(lambda: f"{self.tr('Length')} {unit.length_unit}", self.tr("Length in space"),
+            figure(lambda: self.tr("Length") + " " + unit.length_unit, self.tr("Length in space"),
                    lambda of: of.length, lambda value: unit.length(value, 2, unit=False)),
-            figure(lambda: f"{self.tr('Drop')} {unit.length_unit}", self.tr("Height difference"),
+            figure(lambda: self.tr("Drop") + " " + unit.length_unit, self.tr("Height difference"),
                    lambda of: of.drop, lambda value: unit.length(value, 2, unit=False)),
-            figure(lambda: f"{self.tr('Mean')} {unit.gradient_unit}",
+            figure(lambda: self.tr("Mean") + " " + unit.gradient_unit,
                    self.tr("Mean gradient, by the definition of the targets"), self._mean,
                    lambda value: unit.gradient(value, unit=False)),
-            figure(lambda: f"{self.tr('Max')} {unit.gradient_unit}", self.tr("Largest gradient"),
+            figure(lambda: self.tr("Max") + " " + unit.gradient_unit, self.tr("Largest gradient"),
                    lambda of: of.max_gradient, lambda value: unit.gradient(value, unit=False)),
-            figure(lambda: f"{self.tr('Min')} {unit.gradient_unit}", self.tr("Smallest gradient"),
+            figure(lambda: self.tr("Min") + " " + unit.gradient_unit, self.tr("Smallest gradient"),
                    lambda of: of.min_gradient, lambda value: unit.gradient(value, unit=False)),
             figure(lambda: "|K2−K3| 1/m", self.tr("Mean difference between curvature in plan and in space"),
                    lambda of: of.mean_curvature_difference, lambda value: f"{value:.3g}"),

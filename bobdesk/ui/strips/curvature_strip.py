@@ -82,7 +82,7 @@ class CurvatureStrip(Strip):
         if threshold is None:
             return
         shown = self._desk.quantities.number(threshold / self._desk.quantities.length_factor, 4)
-        is_automatic = self._desk.session.project.segmentation.threshold is None and not self._now.is_preview
+        is_automatic = self._desk.session.project.segmentation.threshold is None and not self._now.is_trying_threshold
         text = (
             self.tr("threshold {value} {unit} (automatic) ⇕") if is_automatic else self.tr("threshold {value} {unit} ⇕")
         )

@@ -169,8 +169,6 @@ class Strip(QWidget):
         painter.restore()
         full = bool(self.curves or self.marks or self.bands)
         paint.draw_frame(painter, on, self._words(), width, full=full)
-        if not full:
-            paint.draw_empty(painter, on, self._empty)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setClipRect(on.area.adjusted(-1, -1, 1, 1))
         if held is not None:
@@ -187,6 +185,8 @@ class Strip(QWidget):
         self._draw_cursor(painter, on)
         self._mouse.paint(painter, on)
         painter.setClipping(False)
+        if not full:
+            paint.draw_empty(painter, on, self._empty)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw what changes with the mouse; the curves are kept as a picture."""

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QApplication
 
@@ -16,6 +17,7 @@ from bobdesk.ui.strips.station_axis import ticks
 
 LEFT, RIGHT, TOP, BOTTOM, AXIS = 66.0, 14.0, 21.0, 5.0, 20.0
 _PIXELS_A_TICK_X, _PIXELS_A_TICK_Y = 90.0, 26.0
+_FEW_POINTS = 200
 
 
 @dataclass(frozen=True)
@@ -142,8 +144,17 @@ def _draw_title(painter: QPainter, words: Words, width: float) -> None:
 
 def draw_empty(painter: QPainter, on: Geometry, sentence: str) -> None:
     """Say why there is nothing to see."""
+    if not sentence:
+        return
+    painter.setFont(_font(1.0))
+    there = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    box = painter.boundingRect(on.area, int(there), sentence).adjusted(-10, -3, 10, 3)
+    painter.setPen(Qt.PenStyle.NoPen)
+    painter.setBrush(shade("base", 225))
+    painter.drawRoundedRect(box, 4, 4)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.setPen(shade("muted"))
-    painter.drawText(on.area, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, sentence)
+    painter.drawText(on.area, int(there), sentence)
 
 
 def draw_band(painter: QPainter, on: Geometry, band: Band, to_shown: Callable[[FloatArray], FloatArray]) -> None:
@@ -166,11 +177,20 @@ def draw_curve(painter: QPainter, on: Geometry, curve: Curve, to_shown: Callable
     painter.setPen(curve.pen())
     good = np.isfinite(y)
     if good.all():
-        painter.drawPolyline(QPolygonF(_points(on, x, y)))
+        _draw_line(painter, _points(on, x, y), curve.width)
         return
     edges = np.flatnonzero(np.diff(np.concatenate([[False], good, [False]]).astype(np.int8)))
     for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
-        painter.drawPolyline(QPolygonF(_points(on, x[first:last], y[first:last])))
+        _draw_line(painter, _points(on, x[first:last], y[first:last]), curve.width)
+
+
+def _draw_line(painter: QPainter, points: list[QPointF], width: float) -> None:
+    # Qt joins the corners of a broad line at a hundred times the cost of drawing its pieces; where there
+    # are many they are so short that no join is seen.
+    if width == 1.0 or len(points) < _FEW_POINTS:
+        painter.drawPolyline(QPolygonF(points))
+    else:
+        painter.drawLines([QLineF(one, other) for one, other in pairwise(points)])
 
 
 def draw_level(painter: QPainter, on: Geometry, level: Level, shown: float) -> None:

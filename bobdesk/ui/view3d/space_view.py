@@ -68,7 +68,7 @@ class SpaceView(QWidget):
         scene = self.canvas.scene
         if scene is None:
             return
-        name = f"{self._desk.session.project.name or self.tr('track')}-3d{kind}"
+        name = (self._desk.session.project.name or self.tr("track")) + f"-3d{kind}"
         filters = f"{kind.removeprefix('.').upper()} (*{kind})"
         path = self._questions.file_to_save("export", self.tr("Save picture"), name, filters, kind)
         if path is None:

@@ -30,7 +30,10 @@ def typed_number(text: str) -> float:
     locale = QLocale()
     strict = QLocale(locale)
     strict.setNumberOptions(QLocale.NumberOption.RejectGroupSeparator)
-    readings = {value for value, good in (strict.toDouble(plain), QLocale.c().toDouble(plain)) if good}
+    dotted = QLocale.c()
+    # Only the dot is understood besides the country's own signs: 406,123 is no 406 thousands in Germany.
+    dotted.setNumberOptions(QLocale.NumberOption.RejectGroupSeparator)
+    readings = {value for value, good in (strict.toDouble(plain), dotted.toDouble(plain)) if good}
     grouped, is_grouped = locale.toDouble(plain)
     if is_grouped and locale.groupSeparator() in plain:
         readings.add(grouped)

@@ -32,14 +32,8 @@ def view(desk, opened, solving, idle, qtbot):
 def scene(points, **values):
     points = np.asarray(points, dtype=float)
     plain = np.zeros(len(points), dtype=bool)
-    return Scene(
-        points,
-        colouring("elevation", points[:, 2]),
-        values.pop("is_curve", plain),
-        plain,
-        has_drop_lines=False,
-        **values,
-    )
+    found = colouring("elevation", points[:, 2])
+    return Scene(points, found, is_curve=plain, is_selected=plain, has_drop_lines=False, **values)
 
 
 def test_usual_sides():

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QPainter, QPixmap
 
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
@@ -25,6 +25,7 @@ _BADGE_AWAY = 18.0
 _HANDLE, _HELD = 7.0, 10.0
 _CLOSEST = 6.0
 _ROOM = 16.0
+_FEW = 4
 # On paper, in every theme.
 _INK = "#22252b"
 
@@ -38,6 +39,8 @@ class SegmentsLayer(Layer):
     def __init__(self, desk: Desk, frame: Callable[[], Frame]) -> None:
         super().__init__(desk, frame)
         self._now: AlignmentNow | None = None
+        self._held: QPixmap | None = None
+        self._held_for: object = None
         for signal in (
             desk.selection.segments_changed,
             desk.selection.boundary_changed,
@@ -59,31 +62,67 @@ class SegmentsLayer(Layer):
         segments = self._now.segments
         if line is None or not segments:
             return
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        parts = [line.kept_part(segment.start, segment.end) for segment in segments]
-        view = QRectF(0, 0, frame.width, frame.height).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
-        # A straight along an axis has no area, which Qt calls no rectangle.
-        seen = [part.bounds.adjusted(-1, -1, 1, 1).intersects(view) for part in parts]
-        self._draw_segments(painter, segments, parts, seen)
+        changed = self._changed(segments)
+        if changed:
+            self._draw_held(painter, frame, line, segments, changed)
+            self._draw(painter, frame, line, segments, sorted(changed))
+        else:
+            self._held = None
+            self._draw(painter, frame, line, segments, range(len(segments)))
         self._draw_cursor(painter, frame, line)
-        self._draw_handles(painter, frame, segments, parts)
-        number = 0
-        for segment, part, is_seen in zip(segments, parts, seen, strict=True):
-            if segment.kind == "curve":
-                number += 1
-                if is_seen:
-                    _draw_badge(painter, frame, part.points, segment.name or str(number))
 
-    def _draw_segments(self, painter: QPainter, segments: Segments, parts: list[ScreenPart], seen: list[bool]) -> None:
+    def _changed(self, segments: Segments) -> set[int]:
+        """Return which segments a drag in mid-work changes; empty if there is none, or if they are many."""
+        known = None if self._now is None or not self._now.is_preview else self._now.known
+        if known is None or len(known.segments) != len(segments):
+            return set()
+        changed = {
+            index for index, pair in enumerate(zip(segments, known.segments, strict=True)) if pair[0] is not pair[1]
+        }
+        return changed if len(changed) <= _FEW else set()
+
+    def _draw_held(
+        self, painter: QPainter, frame: Frame, line: ScreenLine, segments: Segments, changed: set[int]
+    ) -> None:
+        """Draw what a drag does not change as a picture that is made once."""
+        ratio = painter.device().devicePixelRatioF()
+        wanted = (frame, line, changed, self.desk.selection.segments, self.desk.selection.boundary, ratio)
+        if self._held is None or self._held_for != wanted:
+            self._held = QPixmap(round(ratio * frame.width), round(ratio * frame.height))
+            self._held.setDevicePixelRatio(ratio)
+            self._held.fill(Qt.GlobalColor.transparent)
+            inside = QPainter(self._held)
+            self._draw(inside, frame, line, segments, [one for one in range(len(segments)) if one not in changed])
+            inside.end()
+            self._held_for = wanted
+        painter.drawPixmap(0, 0, self._held)
+
+    def _draw(
+        self, painter: QPainter, frame: Frame, line: ScreenLine, segments: Segments, indices: Sequence[int]
+    ) -> None:
+        """Paint some segments, the boundaries between and before them, and the numbers of the curves."""
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        view = QRectF(0, 0, frame.width, frame.height).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
+        parts = {index: line.kept_part(segments[index].start, segments[index].end) for index in indices}
+        # A straight along an axis has no area, which Qt calls no rectangle.
+        seen = {index: part for index, part in parts.items() if part.bounds.adjusted(-1, -1, 1, 1).intersects(view)}
+        self._draw_lines(painter, segments, seen)
+        self._draw_handles(painter, frame, segments, parts)
+        numbers = np.cumsum([segment.kind == "curve" for segment in segments]).tolist()
+        for index, part in seen.items():
+            if segments[index].kind == "curve":
+                _draw_badge(painter, frame, part.points, segments[index].name or str(numbers[index]))
+
+    def _draw_lines(self, painter: QPainter, segments: Segments, seen: dict[int, ScreenPart]) -> None:
         of = colours()
         painter.setPen(pen(of.trace_doubtful, 13.0, alpha=110))
         for index in self.desk.selection.segments:
-            if index < len(parts) and seen[index]:
-                painter.drawPolyline(parts[index].polygon)
+            if index in seen:
+                painter.drawPolyline(seen[index].polygon)
         for kind, stroke in (("straight", pen(of.straight, 2.0)), ("curve", pen(of.curve, 4.5))):
             painter.setPen(stroke)
-            for segment, part, is_seen in zip(segments, parts, seen, strict=True):
-                if is_seen and segment.kind == kind:
+            for index, part in seen.items():
+                if segments[index].kind == kind:
                     painter.drawPolyline(part.polygon)
 
     def _draw_cursor(self, painter: QPainter, frame: Frame, line: ScreenLine) -> None:
@@ -98,13 +137,16 @@ class SegmentsLayer(Layer):
             painter.setPen(pen(colours().accent, 2.0))
             painter.drawEllipse(QPointF(x, y), 6.0, 6.0)
 
-    def _draw_handles(self, painter: QPainter, frame: Frame, segments: Segments, parts: list[ScreenPart]) -> None:
+    def _draw_handles(self, painter: QPainter, frame: Frame, segments: Segments, parts: dict[int, ScreenPart]) -> None:
         of = colours()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         held = self.desk.selection.boundary
         squares: dict[str, list[QRectF]] = {of.vertex: [], of.border: [], of.accent: []}
         last_x, last_y = -math.inf, -math.inf
-        for index, part in enumerate(parts[1:]):
+        for behind, part in parts.items():
+            index = behind - 1
+            if index < 0:
+                continue
             x, y = part.points[0].tolist()
             if not frame.sees(QPointF(x, y)) or (index != held and math.hypot(x - last_x, y - last_y) < _CLOSEST):
                 continue

@@ -169,9 +169,15 @@ class AutoTraceTool(Tool):
         self._start(self.tr("Tracing the line"), steps, lambda trace: self._on_traced(image, clicks, trace))
 
     def _start(self, title: str, steps: Callable[[], Generator[Any, None, Any]], done: Callable[[Any], None]) -> None:
-        self._job = self.desk.runner.start(
-            title, steps, done=done, failed=self._on_failed, stopped=self._on_stopped, progressed=self._on_progress
+        def stopped() -> None:
+            # After another document was opened the end of the old trace is no end of a new one.
+            if self._job is job:
+                self._on_stopped()
+
+        job = self.desk.runner.start(
+            title, steps, done=done, failed=self._on_failed, stopped=stopped, progressed=self._on_progress
         )
+        self._job = job
         self._say()
 
     def _on_progress(self, progress: Progress) -> None:

@@ -139,10 +139,19 @@ class LiveWireTool(LineTool):
 
             return (yield from prepare(image.pixels))
 
+        def stopped() -> None:
+            # The next click prepares it anew.
+            if self._image is image and self._wire is None:
+                self._image, self._preparing = None, None
+
         if self._preparing is not None:
             self._preparing.stop()
         self._preparing = self.desk.runner.start(
-            self.tr("Preparing the picture for following"), steps, done=self._on_wire, failed=self.desk.notices.warn
+            self.tr("Preparing the picture for following"),
+            steps,
+            done=self._on_wire,
+            failed=self.desk.notices.warn,
+            stopped=stopped,
         )
 
     def _on_picture(self) -> None:

@@ -1,0 +1,169 @@
+"""The panel of the segments: settings, rules, designs, files."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
+
+from bobdesk.files.importers.line3d import read_line3d
+from bobdesk.plan.polyline import Polyline
+from bobdesk.project import edits
+from bobdesk.project.project import Project, SourceLine
+from bobdesk.ui.actions.action_set import ActionSet
+from bobdesk.ui.actions.segment_actions import SegmentActions
+from bobdesk.ui.panels.segments_panel import SegmentsPanel
+from bobdesk.ui.segments.design import design_of
+from bobdesk.ui.segments.operations import operations
+from bobdesk.ui.segments.segment_files import SegmentFiles
+
+SAMPLES = Path(__file__).parent.parent.parent.parent / "resources" / "samples"
+CORTINA = SAMPLES / "cortina_2026_design"
+
+
+@pytest.fixture
+def panel(desk, now, window, qtbot, idle):
+    actions = ActionSet(SegmentActions(desk, window).table(), desk.settings, window, window)
+    made = SegmentsPanel(desk, actions)
+    qtbot.addWidget(made)
+    made.resize(430, 900)
+    made.show()
+    idle()
+    return made
+
+
+def button(panel, text):
+    return next(one for one in panel.findChildren(QPushButton) if one.text().startswith(text))
+
+
+def test_the_state_is_said_in_a_line(desk, panel):
+    assert panel.state.text() == "17 segments, 8 of them curves · found automatically"
+    do = operations(desk)
+    do.flip_one(3)
+    do.set_locked(5, locked=True)
+    assert panel.state.text() == "17 segments, 7 of them curves · 1 made by hand · 1 locked"
+
+
+def test_every_setting_is_one_merged_step(desk, now, panel, idle):
+    panel.automatic.threshold.setValue(0.006)
+    idle()
+    panel.automatic.threshold.setValue(0.007)
+    idle()
+    assert desk.session.project.segmentation.threshold == 0.007
+    assert not panel.automatic.threshold_auto.isChecked()
+    desk.session.undo()
+    idle()
+    assert desk.session.undo_label is None
+    assert panel.automatic.threshold_auto.isChecked()
+    panel.automatic.count.setValue(9)
+    idle()
+    assert len(now.segments) == 9
+    panel.automatic.count.setValue(0)
+    panel.automatic.shortest.setValue(40.0)
+    idle()
+    assert min(segment.length for segment in now.segments) >= 40.0
+    assert desk.session.project.segmentation.count is None
+
+
+def test_the_picture_of_the_fit_chooses_a_number(desk, now, panel, idle):
+    gain = panel.automatic.gain
+    assert len(gain.shares) > 17
+    assert gain.shares[16] > 0.97
+    assert gain.shares[4] < 0.6
+    at = QPoint(round(gain._x(11)), 40)
+    QTest.mouseClick(gain, Qt.MouseButton.LeftButton, pos=at)
+    idle()
+    assert len(now.segments) == 11
+    QTest.keyClick(gain, Qt.Key.Key_Right)
+    QTest.keyClick(gain, Qt.Key.Key_Return)
+    idle()
+    assert len(now.segments) in (11, 12)
+
+
+def test_the_published_rule_has_no_wanted_number(desk, now, panel, idle):
+    desk.session.apply("x", lambda project: edits.set_smoothing(project, 20.0))
+    panel.automatic.count.setValue(12)
+    idle()
+    panel.automatic.fold.set_open(True)
+    panel.automatic.rule.setCurrentIndex(1)
+    panel.automatic.rule.activated.emit(1)
+    idle()
+    assert desk.session.project.segmentation.rule == "published"
+    assert not panel.automatic.count.isVisible()
+    panel.automatic.rule.setCurrentIndex(0)
+    panel.automatic.rule.activated.emit(0)
+    idle()
+    assert panel.automatic.count.isVisible()
+
+
+def test_both_rules_are_seen_side_by_side(panel, idle):
+    panel.rules.fold.set_open(True)
+    idle()
+    assert "recommended 17 segments, published" in panel.rules.found.text()
+    assert 0.5 < float(panel.rules.score.text()) <= 1.0
+
+
+def test_buttons_do_what_their_keys_do(desk, now, panel):
+    desk.selection.station = 0.5 * (now.segments[2].start + now.segments[2].end)
+    QTest.mouseClick(button(panel, "Split"), Qt.MouseButton.LeftButton)
+    assert len(now.segments) == 18
+    assert "segment 4" in panel._at.text()
+    QTest.mouseClick(button(panel, "Delete boundary"), Qt.MouseButton.LeftButton)
+    assert len(now.segments) == 17
+    assert isinstance(panel._actions["split_segment"], QAction)
+
+
+def test_segments_are_saved_and_opened(desk, now, panel, tmp_path, window, told, idle):
+    files = SegmentFiles(desk, window)
+    before = [(one.kind, one.end) for one in now.segments]
+    assert files.save(tmp_path / "s.csv")
+    header = (tmp_path / "s.csv").read_text().splitlines()[0]
+    assert header == "segment,kind,from_m,to_m,radius_m,turn_rad"
+    operations(desk).flip_one(2)
+    assert files.open(tmp_path / "s.csv")
+    assert [one.kind for one in now.segments] == [kind for kind, _ in before]
+    assert [one.end for one in now.segments] == pytest.approx([end for _, end in before], abs=1e-3)
+    (tmp_path / "bad.csv").write_text("kind,from_m,to_m\nstraight,0,50\nloop,50,60\n")
+    project = desk.session.project
+    assert not files.open(tmp_path / "bad.csv")
+    assert "line 3" in told[-1]
+    assert desk.session.project is project
+    assert not files.save(tmp_path / "nowhere" / "s.csv")
+
+
+def test_a_design_is_compared_with_what_was_found(desk, now, panel, idle, told):
+    points = read_line3d(CORTINA / "plan.csv").line.points
+    line = SourceLine("plan.csv", Polyline(points[:, :2]))
+    desk.session.open(edits.open_coordinates(Project(), line), None)
+    idle()
+    design = design_of(desk)
+    assert not panel.design.isVisible()
+    assert design.read(CORTINA / "design.json")
+    assert panel.design.isVisible()
+    assert panel.design.model.rowCount() == 16
+    assert design.offset == pytest.approx(22.0, abs=1.0)
+    pairs = design.pairs()
+    found = [pair for pair in pairs if pair.segment is not None]
+    assert len(found) >= 14
+    tight = [pair for pair in found if pair.curve.radius < 100]
+    assert all(pair.side == pair.curve.side for pair in tight)
+    assert all(abs(pair.radius - pair.curve.radius) < 0.35 * pair.curve.radius for pair in tight)
+    assert panel.design.model.index(0, 4).data() == "17.0"
+    panel.design.table.clicked.emit(panel.design.model.index(2, 0))
+    assert desk.selection.segments == (pairs[2].index,)
+    QTest.mouseClick(button(panel, "Stop comparing"), Qt.MouseButton.LeftButton)
+    assert not panel.design.isVisible()
+    assert not design.read(CORTINA / "SOURCE.md")
+    assert told
+
+
+def test_every_control_has_a_name_and_a_tip(panel):
+    from PySide6.QtWidgets import QAbstractSpinBox, QComboBox, QToolButton
+
+    for kind in (QPushButton, QAbstractSpinBox, QComboBox, QToolButton):
+        for one in panel.findChildren(kind):
+            if one.isVisible() and one.focusPolicy() & Qt.FocusPolicy.TabFocus:
+                assert one.accessibleName(), one
+                assert one.toolTip(), one.accessibleName()
