@@ -76,8 +76,9 @@ def run(arguments: Sequence[str]) -> int:
         return _failed(error.format_message(), WRONG_CALL)
     except click.exceptions.Exit as stop:
         return stop.exit_code
-    except (click.Abort, KeyboardInterrupt):
-        return _failed("stopped; nothing was written", 130)
+    except (click.Abort, KeyboardInterrupt) as stop:
+        # A command that keeps what it has so far says so itself.
+        return _failed(str(stop) or "stopped; nothing was written", 130)
     except UnmetTargetsError as error:
         return _failed(str(error), UNMET_TARGETS)
     except (InputError, TargetError) as error:

@@ -15,7 +15,6 @@ from bobdesk import __version__
 from bobdesk.cli.options import FILE, SeveralValues, plan_options, target_options
 from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, with_progress
 from bobdesk.cli.targets import known_elevation, taken_target_options
-from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.files.solvers import solver_methods
@@ -175,7 +174,7 @@ def _solved(
 ) -> tuple[tuple[str, ...], ...]:
     open_tasks = len(tasks) - len(journal.finished())
     if 0 < open_tasks < len(tasks):
-        click.echo(f"note: {len(tasks) - open_tasks} rows were solved before and are kept", err=True)
+        click.echo(f"note: rows that were solved before are kept: {len(tasks) - open_tasks}", err=True)
     executor: AbstractContextManager[Executor]
     if dask is not None:
         executor = dask_executor(dask)
@@ -188,7 +187,7 @@ def _solved(
             return with_progress(run_study(tasks, pool, journal), "study")
     except KeyboardInterrupt:
         if journal.path.exists():
-            raise InputError(
+            raise click.Abort(
                 f"stopped; the finished rows are kept in {journal.path}, and the same command goes on from there"
             ) from None
         raise

@@ -87,9 +87,27 @@ def test_a_killed_study_goes_on_and_its_table_is_the_same(finished, call):
             file.write(b'[7, ["plan", ')
         said = call("study", call.plan, *TARGETS, *STUDY, "-o", output)
         assert said.status == 0, said.err
-        assert "rows were solved before and are kept" in said.err
+        assert "rows that were solved before are kept" in said.err
     assert output.read_bytes() == whole
     assert not journal.exists()
+
+
+def test_a_stopped_study_says_where_its_rows_are_kept(call, monkeypatch):
+    def stopped(tasks, executor, journal):
+        journal.add(0, study.solve_task(tasks[0]))
+        yield
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patched:
+        patched.setattr("bobdesk.cli.study.run_study", stopped)
+        said = call("study", call.plan, *TARGETS, *STUDY, "-o", call.path("t.csv"))
+    assert said.status == 130
+    assert "kept in" in said.err
+    assert not call.path("t.csv").exists()
+    again = call("study", call.plan, *TARGETS, *STUDY, "-o", call.path("t.csv"))
+    assert again.status == 0
+    assert "note: rows that were solved before are kept: 1" in again.err
+    assert not call.path("t.csv.unfinished").exists()
 
 
 def test_rows_of_another_study_are_not_used(tmp_path):

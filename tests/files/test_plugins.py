@@ -205,7 +205,9 @@ def test_a_project_keeps_the_method_of_a_plugin_and_opens_without_it(tmp_path, c
 
 def test_a_method_that_is_not_there_is_a_wrong_call(tmp_path, capsys):
     assert run(["reconstruct", str(MUGELLO), *TARGETS, "-o", str(tmp_path / "l.csv"), "--method", "magic"]) == 2
-    assert "--method must be one of pgd, published, lbfgsb, slsqp, de, not 'magic'" in capsys.readouterr().err
+    assert (
+        "--method must be one of pgd, published, lbfgsb, slsqp, trustconstr, de, not 'magic'" in capsys.readouterr().err
+    )
 
 
 def test_without_plugins_there_are_the_built_in_formats_alone():

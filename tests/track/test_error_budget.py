@@ -22,11 +22,11 @@ def test_half_a_unit_of_the_last_place(figure, half):
 
 @pytest.mark.parametrize("conditions", [{}, {"known": 3}, {"unknown_scale": True}], ids=str)
 def test_the_truth_lies_inside_as_often_as_it_says(conditions):
-    shares = np.array([covered(seed, **conditions)[1:] for seed in range(100, 112)])
+    shares = np.array([covered(seed, **conditions)[1:] for seed in range(10)])
     length, elevation, gradient = shares.mean(axis=0)
-    assert length >= 0.9  # twelve tracks: one may fall out
+    assert length >= 0.9  # ten tracks: one may fall out; `make benchmark` takes forty
     assert elevation >= 0.88
-    assert 0.90 <= gradient <= 0.995
+    assert 0.90 <= gradient <= 0.99
 
 
 def budget(errors, targets=None):
