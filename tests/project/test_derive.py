@@ -256,6 +256,15 @@ def test_switching_back_makes_a_run_up_to_date_again() -> None:
     )
 
 
+def test_locking_or_naming_what_was_found_leaves_a_run_up_to_date() -> None:
+    project = ready_project()
+    run = solved_run(project)
+    project = edits.name_segment(edits.lock_segment(edits.keep_run(project, run), 1), 1, "Kreisel")
+    assert project.segments is not None
+    assert why_out_of_date(project, run) is None
+    assert why_out_of_date(edits.flip_segment(project, 0), run) == "the segments changed since this run"
+
+
 def test_elevations_off_the_line_wait() -> None:
     project = edits.add_known_elevation(ready_project(), KnownElevation(1e5, 3.0))
     assert len(derive.elevations_on_the_line(project)) == 1

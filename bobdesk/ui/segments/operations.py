@@ -153,7 +153,7 @@ class SegmentOperations(QObject):
         )
 
     def nudge(self, by: float) -> bool:
-        """Move the selected boundary on by so many metres; presses in a row are one step; False without one."""
+        """Move the selected boundary on by so many metres; presses in a row are one step."""
         boundary, segments = self._desk.selection.boundary, self._now.segments
         if boundary is None or boundary >= len(segments) - 1:
             return False

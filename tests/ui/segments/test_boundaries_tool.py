@@ -106,6 +106,15 @@ def test_delete_merges_at_the_selected_boundary(desk, now, view):
     assert len(now.segments) == 16
 
 
+def test_the_selected_segments_are_brought_into_view(desk, now, view):
+    whole = view.frame_now().scale
+    operations(desk).select(6)
+    view.fit_selection()
+    assert view.frame_now().scale > 2 * whole
+    segment = now.segments[6]
+    assert view.viewport().rect().contains(at(view, desk, now, 0.5 * (segment.start + segment.end)))
+
+
 def looks(desk, now, view, stack, table):
     """What plan, strips and table show of each segment: its kind by pixels and by words, and its ends by words."""
     view.viewport().repaint()
