@@ -26,7 +26,9 @@ def make_actions(window: MainWindow) -> ActionSet:
     desk, view = window.desk, window.view
     table = (
         *FileActions(desk.session, window.documents, window.plans, window.close, window).table(),
-        *EditActions(desk.session, window.plans, view.take_back, lambda: view.tool_name != "select", window).table(),
+        *EditActions(
+            desk.session, window.plans, view.take_back, lambda: view.tool_name not in ("select", "boundaries"), window
+        ).table(),
         *LineActions(desk, view, window).table(),
         *ViewActions(desk, view, window).table(),
         *ToolActions(desk, view, window).table(),
