@@ -27,7 +27,11 @@ def make_actions(window: MainWindow) -> ActionSet:
     table = (
         *FileActions(desk.session, window.documents, window.plans, window.close, window).table(),
         *EditActions(
-            desk.session, window.plans, view.take_back, lambda: view.tool_name not in ("select", "boundaries"), window
+            desk.session,
+            window.plans,
+            view.take_back,
+            lambda: view.tool_name not in ("select", "boundaries"),
+            window,
         ).table(),
         *LineActions(desk, view, window).table(),
         *ViewActions(desk, view, window).table(),
