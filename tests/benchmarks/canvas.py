@@ -52,7 +52,9 @@ def frames(kind: str, vertices: int) -> Row:
     from bobdesk.ui.selection import Selection
     from bobdesk.ui.session import Session
     from bobdesk.ui.settings import Settings
+    from bobdesk.ui.warm_up import warm_up_steps
 
+    finish(warm_up_steps())
     with tempfile.TemporaryDirectory() as folder:
         session, runner, settings = Session(), Runner(), Settings(Path(folder) / "settings.ini")
         shown = PlanPicture(session, runner)
@@ -78,6 +80,8 @@ def frames(kind: str, vertices: int) -> Row:
             if name == "drag" and not vertices:
                 continue
             view.fit_all()
+            for _ in range(3):
+                application.processEvents()  # what came before the gesture is not one of its frames
             times = []
             for step in gesture(view):
                 start = time.process_time()
