@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _YIELD_EVERY_S = 0.003
 _TELL_EVERY_S = 0.1
 # Of its time the solver loses at most this share to being shown.
-_SHOWING_SHARE = 0.025
+_SHOWING_SHARE = 0.02
 # The solver waits for a picture no longer than this.
 _PATIENCE_S = 0.1
 

@@ -12,12 +12,14 @@ import numpy as np
 from PySide6.QtCore import QEventLoop, QTimer
 from PySide6.QtWidgets import QApplication
 
+from bobdesk.progress import finish
 from bobdesk.project import edits
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.solving import _Control, _pulled, solving_of
 from bobdesk.ui.theme import apply_theme
+from bobdesk.ui.warm_up import warm_up_steps
 from tests.project.made_projects import ready_project
 
 _EVERY_MS = 20
@@ -85,6 +87,7 @@ def main(rounds=4, seconds=4.0):
     """Print a table."""
     qapp = QApplication.instance() or QApplication([])
     apply_theme(qapp, "light")
+    finish(warm_up_steps())
     project = edits.set_solver(
         edits.set_spacing(ready_project(), 10.0), SolverSettings(method="published", rate=1e-13, threshold=1e-300)
     )
