@@ -45,7 +45,9 @@ def detect_segments(
     detected = _detected(centreline, settings)
     if not any(is_kept(segment) or segment.name for segment in previous):
         return detected
-    return keep_corrections(detected, previous, shortest=settings.shortest)
+    # A wanted number goes before the shortest segment, with corrections as without.
+    shortest = settings.shortest if settings.count is None else min(settings.shortest, SegmentationSettings().shortest)
+    return keep_corrections(detected, previous, shortest=shortest)
 
 
 def threshold_of(centreline: Centreline, settings: SegmentationSettings) -> float:

@@ -158,3 +158,11 @@ def test_the_gain_by_count_stops_growing_at_the_true_number():
     steps = np.diff(gains)
     assert steps[:16].min() > 2.0
     assert steps[16:].max() < 1.0
+
+
+def test_a_wanted_number_goes_before_the_shortest_segment_with_corrections_too():
+    centreline = fitted(made_plan(2))
+    settings = SegmentationSettings(count=15, shortest=60.0)
+    found = detect_segments(centreline, settings)
+    locked = set_locked(found, 4, locked=True)
+    assert len(detect_segments(centreline, settings, previous=locked)) == len(found)

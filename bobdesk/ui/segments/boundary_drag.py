@@ -29,6 +29,7 @@ class BoundaryDrag(QObject):
         self._station = 0.0
         self._crossings = np.empty(0)
         self.snapped = False
+        desk.session.changed.connect(self._on_changed)
 
     @property
     def boundary(self) -> int | None:
@@ -92,6 +93,10 @@ class BoundaryDrag(QObject):
         self._boundary = None
         self._now.preview(None)
         return True
+
+    def _on_changed(self) -> None:
+        """Let go: after another edit, or an undo, the same number may stand for another boundary."""
+        self.cancel()
 
     def sides(self) -> tuple[tuple[Segment, SegmentFigures], ...]:
         """Return the two segments beside the held boundary with their figures."""

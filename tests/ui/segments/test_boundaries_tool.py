@@ -173,3 +173,20 @@ def test_plan_strips_and_table_never_disagree_after_any_operation(desk, now, vie
     ):
         act()
         agree()
+
+
+def test_an_undo_in_mid_drag_lets_go_of_the_boundary(desk, now, view, idle):
+    ends = [segment.end for segment in now.segments[:-1]]
+    desk.selection.station = 0.5 * (ends[1] + ends[2])
+    operations(desk).split()
+    idle()
+    start = at(view, desk, now, now.segments[4].end)
+    drag(view, start, start + QPoint(12, 9), drop=False)
+    desk.session.undo()
+    before = desk.session.project
+    idle()
+    move(view.viewport(), start + QPoint(20, 15), Qt.MouseButton.LeftButton)
+    view.grab()
+    QTest.mouseRelease(view.viewport(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, start)
+    assert desk.session.project is before
+    assert desk.session.redo_label is not None
