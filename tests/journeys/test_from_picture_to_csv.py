@@ -9,6 +9,7 @@ import pytest
 
 from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.track.comparison import compare
+from tests.journeys.gestures import scale_by_two_points, trace_by_two_clicks
 
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_thin"
 _STRIP = "window.layout_of_window.strips_dock.widget().curvature"
@@ -45,19 +46,8 @@ def test_the_mission(opened, tmp_path):
     # Scale and line.
     program.key("ctrl+2")
     program.click_on("plan_view")
-    program.key("k")
-    for point in (truth[0], truth[-1]):
-        program.click_plan(point["px"], point["py"])
-        program.until("widget('plan_popup').isVisible()")
-        program.type(f"{point['x_m']:.2f}")
-        program.key("Tab")
-        program.type(f"{point['y_m']:.2f}")
-        program.key("Return")
-    program.until("len(project.control_points) == 2")
-    program.key("ctrl+3", "shift+t")
-    program.click_plan(*about["start_px"])
-    program.click_plan(*about["end_px"])
-    program.until("project.trace is not None")
+    scale_by_two_points(program, (truth[0], truth[-1]))
+    trace_by_two_clicks(program, about["start_px"], about["end_px"])
 
     # One boundary, dragged on the strip.
     program.key("ctrl+4")

@@ -9,6 +9,7 @@ import pytest
 
 from bobdesk.files.project_file import load_project
 from bobdesk.project import derive
+from tests.journeys.gestures import scale_by_two_points, trace_by_two_clicks
 
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_thin"
 
@@ -50,21 +51,10 @@ def test_whole_way_with_a_crash_in_the_middle(opened, tmp_path, truth):
     # The scale, by two points with known coordinates.
     program.key("ctrl+2")
     program.click_on("plan_view")
-    program.key("k")
-    for point in (first, last):
-        program.click_plan(point["px"], point["py"])
-        program.until("widget('plan_popup').isVisible()")
-        program.type(f"{point['x_m']:.2f}")
-        program.key("Tab")
-        program.type(f"{point['y_m']:.2f}")
-        program.key("Return")
-    program.until("len(project.control_points) == 2")
+    scale_by_two_points(program, (first, last))
 
     # The line, from two clicks.
-    program.key("ctrl+3", "shift+t")
-    program.click_plan(*about["start_px"])
-    program.click_plan(*about["end_px"])
-    program.until("project.trace is not None")
+    trace_by_two_clicks(program, about["start_px"], about["end_px"])
     traced = program.ask("len(project.trace.points)")
 
     # One vertex: drawn off its place, taken back, and corrected by a nudge.

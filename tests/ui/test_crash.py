@@ -134,5 +134,5 @@ def test_faults_of_threads_come_to_the_window(qtbot: QtBot, guard: CrashGuard) -
 
 
 def test_a_report_does_not_name_the_home_folder(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(Path, "home", lambda: Path("/home/anna"))
-    assert without_home('File "/home/anna/x.py", /home/annabel') == 'File "~/x.py", /home/annabel'
+    monkeypatch.setattr(Path, "home", lambda: Path("/people/anna"))
+    assert without_home('File "/people/anna/x.py", /people/annabel') == 'File "~/x.py", /people/annabel'

@@ -31,7 +31,7 @@ class DistanceKind:
     items
         The distances of a project.
     change, remove
-        Return the edit for the distance at an index.
+        The edits of the distance at an index.
     change_label, remove_label
         For Undo.
     can_be_off
@@ -44,8 +44,8 @@ class DistanceKind:
     empty: str
     add_tip: str
     items: Callable[[Project], tuple[KnownDistance, ...]]
-    change: Callable[[int, KnownDistance], Callable[[Project], Project]]
-    remove: Callable[[int], Callable[[Project], Project]]
+    change: Callable[[Project, int, KnownDistance], Project]
+    remove: Callable[[Project, int], Project]
     change_label: str
     remove_label: str
     can_be_off: bool
@@ -186,7 +186,7 @@ class DistancesPart(Part):
 
     def _change(self, row: int, **values: Any) -> bool:
         known = replace(self._items[row], **values)
-        return self.desk.session.apply(self._kind.change_label, self._kind.change(row, known))
+        return self.desk.session.apply(self._kind.change_label, lambda before: self._kind.change(before, row, known))
 
     def _on_selected(self) -> None:
         chosen = self.selected_row is not None
@@ -221,7 +221,7 @@ class DistancesPart(Part):
     def _remove_selected(self) -> None:
         row = self.selected_row
         if row is not None:
-            self.desk.session.apply(self._kind.remove_label, self._kind.remove(row))
+            self.desk.session.apply(self._kind.remove_label, lambda before: self._kind.remove(before, row))
 
     def _show_selected(self) -> None:
         if self.selected_row is not None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QWidget
 
-from bobdesk.plan.control_points import KnownDistance
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
@@ -13,7 +12,6 @@ from bobdesk.ui.panels.distances_part import DistanceKind, DistancesPart
 from bobdesk.ui.panels.scale_fit_part import ScaleFitPart
 from bobdesk.ui.panels.scale_way_part import ScaleWayPart
 from bobdesk.ui.panels.worst_item import worst_item
-from bobdesk.ui.session import Edit
 from bobdesk.ui.widgets.panel import Panel
 
 _SHOWN = (
@@ -78,21 +76,13 @@ class ScalePanel(Panel):
         self.fit.refresh(project, known, fit)
 
     def _known_kind(self) -> DistanceKind:
-        def change(index: int, known: KnownDistance) -> Edit:
-
-            return lambda project: edits.change_known_distance(project, index, known)
-
-        def remove(index: int) -> Edit:
-
-            return lambda project: edits.remove_known_distance(project, index)
-
         return DistanceKind(
             heading=self.tr("Known distances"),
             empty=self.tr("No known distance yet, such as a scale bar."),
             add_tip=self.tr("Click both ends of a distance that is known, and type its length"),
             items=lambda project: project.known_distances,
-            change=change,
-            remove=remove,
+            change=edits.change_known_distance,
+            remove=edits.remove_known_distance,
             change_label=self.tr("Change known distance"),
             remove_label=self.tr("Remove known distance"),
             can_be_off=True,
@@ -101,21 +91,13 @@ class ScalePanel(Panel):
         )
 
     def _check_kind(self) -> DistanceKind:
-        def change(index: int, known: KnownDistance) -> Edit:
-
-            return lambda project: edits.change_check_distance(project, index, known)
-
-        def remove(index: int) -> Edit:
-
-            return lambda project: edits.remove_check_distance(project, index)
-
         return DistanceKind(
             heading=self.tr("Check distances (not used in the fit)"),
             empty=self.tr("A distance that is known from elsewhere tells whether the scale is right."),
             add_tip=self.tr("Measure between two clicks, then keep it as a check distance"),
             items=lambda project: project.check_distances,
-            change=change,
-            remove=remove,
+            change=edits.change_check_distance,
+            remove=edits.remove_check_distance,
             change_label=self.tr("Change check distance"),
             remove_label=self.tr("Remove check distance"),
             can_be_off=False,

@@ -8,19 +8,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QObject, Qt
 
 from bobdesk.errors import InputError
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.strips.run_profile import RunProfile, run_profile_later
+from bobdesk.ui.widgets.headed_model import HeadedModel, Index
 from bobdesk.ui.widgets.typed_number import number_to_edit, typed_number
 
-Index = QModelIndex | QPersistentModelIndex
 SORT_ROLE = Qt.ItemDataRole.UserRole
 KIND, LOCK = "kind", "lock"
-_NOWHERE = QModelIndex()
 
 
 @dataclass(frozen=True)
@@ -37,7 +36,7 @@ class _Column:
     is_number: bool = True
 
 
-class SegmentsModel(QAbstractTableModel):
+class SegmentsModel(HeadedModel):
     """Holds nothing but how many rows were shown last."""
 
     def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
@@ -93,13 +92,15 @@ class SegmentsModel(QAbstractTableModel):
                 texts.append(column.text(row))
         return texts
 
-    def rowCount(self, parent: Index = _NOWHERE) -> int:
-        """Return the number of segments."""
-        return 0 if parent.isValid() else self._count
+    def alignment_of(self, section: int) -> Qt.AlignmentFlag:
+        """Return how a column is aligned; the lock stands in the middle."""
+        if self._columns[section].name == LOCK:
+            return Qt.AlignmentFlag.AlignCenter
+        return super().alignment_of(section)
 
-    def columnCount(self, parent: Index = _NOWHERE) -> int:
-        """Return the number of columns."""
-        return 0 if parent.isValid() else len(self._columns)
+    def headed(self) -> tuple[_Column, ...]:
+        """Return the columns."""
+        return self._columns
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Say what can be edited."""
@@ -114,19 +115,6 @@ class SegmentsModel(QAbstractTableModel):
             found |= Qt.ItemFlag.ItemIsEditable
         return found
 
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return a heading, or its tip."""
-        if orientation != Qt.Orientation.Horizontal or not 0 <= section < len(self._columns):
-            return None
-        column = self._columns[section]
-        if role == Qt.ItemDataRole.DisplayRole:
-            return column.heading()
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return column.tip
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _alignment(column)
-        return None
-
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return what a cell shows."""
         row = index.row()
@@ -140,7 +128,7 @@ class SegmentsModel(QAbstractTableModel):
         if role == SORT_ROLE:
             return column.value(row)
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _alignment(column)
+            return self.alignment_of(index.column())
         if role == Qt.ItemDataRole.CheckStateRole and column.name == LOCK:
             return Qt.CheckState.Checked if column.value(row) else Qt.CheckState.Unchecked
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -293,10 +281,3 @@ class SegmentsModel(QAbstractTableModel):
 
     def _tell(self, first: int, last: int) -> None:
         self.dataChanged.emit(self.index(first, 0), self.index(last, len(self._columns) - 1))
-
-
-def _alignment(column: _Column) -> Qt.AlignmentFlag:
-    if column.name == LOCK:
-        return Qt.AlignmentFlag.AlignCenter
-    side = Qt.AlignmentFlag.AlignRight if column.is_number else Qt.AlignmentFlag.AlignLeft
-    return side | Qt.AlignmentFlag.AlignVCenter

@@ -13,7 +13,8 @@ from bobdesk.project.runs import Run
 from bobdesk.track.figures import Figures
 from bobdesk.ui.shown_result import shown_result_of
 from bobdesk.ui.solve.run_figures import actual_figures, mean_of
-from bobdesk.ui.widgets.columns_model import Column, ColumnsModel, Index
+from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
+from bobdesk.ui.widgets.headed_model import Index
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.table import Table

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent
-from PySide6.QtWidgets import QLineEdit, QWidget
+from PySide6.QtCore import QTimer
+from PySide6.QtWidgets import QWidget
 
 from bobdesk.errors import InputError
-from bobdesk.ui.widgets.typed_number import number_to_edit, typed_number
+from bobdesk.ui.widgets.number_field import NumberField
+from bobdesk.ui.widgets.typed_number import typed_number
 
 _REST_MS = 250
 
 
-class TargetField(QLineEdit):
+class TargetField(NumberField):
     """A number, or nothing.
 
     Parameters
@@ -28,42 +28,14 @@ class TargetField(QLineEdit):
         Another number than before (float), or None for an empty field; shortly after the last key.
     """
 
-    entered = Signal(object)
-
     def __init__(self, name: str, refuse: Callable[[str], object], parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._refuse = refuse
-        self._value: float | None = None
-        self.setAccessibleName(name)
-        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        super().__init__(name, refuse, parent)
         self.setPlaceholderText(self.tr("unknown"))
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(_REST_MS)
         self._rest.timeout.connect(self._try)
         self.textEdited.connect(lambda _text: self._rest.start())
-        self.editingFinished.connect(self._on_finished)
-
-    def show_value(self, value: float | None, *, digits: int = 10) -> None:
-        """Show a number; what is being typed is left alone."""
-        self._value = value
-        if not (self.hasFocus() and self.isModified()):
-            self.setText(number_to_edit(value, digits))
-            self.setModified(False)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Leave the number that was told last with Esc."""
-        if event.key() == Qt.Key.Key_Escape and self.isModified():
-            self._rest.stop()
-            self._restore()
-            return
-        super().keyPressEvent(event)
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        """Select all, to be typed over."""
-        super().focusInEvent(event)
-        if event.reason() != Qt.FocusReason.MouseFocusReason:
-            self.selectAll()
 
     def _read(self) -> float | None:
         return typed_number(self.text()) if self.text().strip() else None
@@ -91,5 +63,5 @@ class TargetField(QLineEdit):
         self._restore()
 
     def _restore(self) -> None:
-        self.setText(number_to_edit(self._value))
-        self.setModified(False)
+        self._rest.stop()
+        super()._restore()

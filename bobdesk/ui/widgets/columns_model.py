@@ -6,15 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QColor, QFont, QIcon
 
 from bobdesk.errors import InputError
 from bobdesk.ui.icons import icon
 from bobdesk.ui.theme import Colours, colours
-
-Index = QModelIndex | QPersistentModelIndex
-_NOWHERE = QModelIndex()
+from bobdesk.ui.widgets.headed_model import HeadedModel, Index
 
 
 def nothing_said(_row: int) -> str:
@@ -61,7 +59,7 @@ class Column:
     is_number: bool = True
 
 
-class ColumnsModel(QAbstractTableModel):
+class ColumnsModel(HeadedModel):
     """Rows of the document seen through columns; it holds nothing but their number.
 
     Parameters
@@ -112,31 +110,14 @@ class ColumnsModel(QAbstractTableModel):
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self._columns) - 1)
         self.refresh()
 
-    def rowCount(self, parent: Index = _NOWHERE) -> int:
-        """Return the number of rows."""
-        return 0 if parent.isValid() else self._count
-
-    def columnCount(self, parent: Index = _NOWHERE) -> int:
-        """Return the number of columns."""
-        return 0 if parent.isValid() else len(self._columns)
+    def headed(self) -> tuple[Column, ...]:
+        """Return the columns."""
+        return self._columns
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Say what can be edited and checked."""
         # Headings ask this of every cell of a selected column: 120,000 times for 20,000 vertices.
         return self._flags[index.column()]
-
-    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
-        """Return a heading, or its tip."""
-        if orientation != Qt.Orientation.Horizontal or not 0 <= section < len(self._columns):
-            return None
-        column = self._columns[section]
-        if role == Qt.ItemDataRole.DisplayRole:
-            return column.heading()
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return column.tip
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _alignment(column)
-        return None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return what a cell shows."""
@@ -150,7 +131,7 @@ class ColumnsModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.EditRole:
             return column.text(row) if column.edit_text is None else column.edit_text(row)
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _alignment(column)
+            return self.alignment_of(index.column())
         if role == Qt.ItemDataRole.CheckStateRole and column.is_checked is not None:
             return Qt.CheckState.Checked if column.is_checked(row) else Qt.CheckState.Unchecked
         if role == Qt.ItemDataRole.ToolTipRole:
@@ -208,8 +189,3 @@ def _flags(column: Column) -> Qt.ItemFlag:
     if column.check is not None:
         found |= Qt.ItemFlag.ItemIsUserCheckable
     return found
-
-
-def _alignment(column: Column) -> Qt.AlignmentFlag:
-    side = Qt.AlignmentFlag.AlignRight if column.is_number else Qt.AlignmentFlag.AlignLeft
-    return side | Qt.AlignmentFlag.AlignVCenter

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QMargins, QRect, QSize, Qt
-from PySide6.QtWidgets import QLabel, QLayout, QLayoutItem, QSizePolicy, QWidget
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtWidgets import QLabel, QLayoutItem, QSizePolicy, QWidget
+
+from bobdesk.ui.widgets.items_layout import ItemsLayout
 
 _GAP, _ROW_GAP = 12, 5
 _NAMES_SHARE = 0.45
@@ -41,36 +43,9 @@ class Facts(QWidget):
         value.setVisible(shown)
 
 
-class _PairsLayout(QLayout):
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._items: list[QLayoutItem] = []
-        self.setContentsMargins(QMargins())
-
-    def addItem(self, item: QLayoutItem) -> None:
-        self._items.append(item)
-
-    def count(self) -> int:
-        return len(self._items)
-
-    def itemAt(self, index: int) -> QLayoutItem | None:
-        return self._items[index] if 0 <= index < len(self._items) else None
-
-    def takeAt(self, index: int) -> QLayoutItem | None:
-        return self._items.pop(index) if 0 <= index < len(self._items) else None
-
+class _PairsLayout(ItemsLayout):
     def expandingDirections(self) -> Qt.Orientation:
         return Qt.Orientation.Horizontal
-
-    def hasHeightForWidth(self) -> bool:
-        return True
-
-    def heightForWidth(self, width: int) -> int:
-        return self._placed(QRect(0, 0, width, 0), move=False)
-
-    def setGeometry(self, rect: QRect) -> None:
-        super().setGeometry(rect)
-        self._placed(rect, move=True)
 
     def sizeHint(self) -> QSize:
         return QSize(_NARROWEST, self.heightForWidth(_NARROWEST))
@@ -78,7 +53,7 @@ class _PairsLayout(QLayout):
     def minimumSize(self) -> QSize:
         return QSize(_NARROWEST, 0)
 
-    def _placed(self, rect: QRect, *, move: bool) -> int:
+    def placed(self, rect: QRect, *, move: bool) -> int:
         rows = [
             (name, value)
             for name, value in zip(self._items[::2], self._items[1::2], strict=False)

@@ -26,7 +26,7 @@ class NumberField(QLineEdit):
         Another number than before, in the unit in which it is shown.
     """
 
-    entered = Signal(float)
+    entered = Signal(object)
 
     def __init__(self, name: str, refuse: Callable[[str], object], parent: QWidget | None = None) -> None:
         super().__init__(parent)
