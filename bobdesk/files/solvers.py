@@ -40,7 +40,7 @@ def solve_with_plugins(centreline: Centreline, segments: Segments, targets: Targ
 def watched_methods() -> tuple[SolverMethod, ...]:
     """Return the methods of this program and of its plug-ins, the latter under watch."""
     return tuple(
-        method if method in METHODS else replace(method, solve=_Watched(method), solve_from=None)
+        method if method in METHODS else replace(method, solve=_Watched(method), solve_from=None, solve_asking=None)
         for method in solver_methods().formats
     )
 

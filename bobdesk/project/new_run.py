@@ -12,12 +12,14 @@ from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
 from bobdesk.project.runs import Run, RunInputs, finished_run
+from bobdesk.solve.called_back import StoppedWithinError
 from bobdesk.solve.run import METHODS, SolverMethod, solve
 
 if TYPE_CHECKING:
     from bobdesk.solve.iterates import Iterate, Solution
 
 _STOPPED = 1
+_BY_HAND = "Stopped by hand"
 
 
 def _never() -> bool:
@@ -31,6 +33,7 @@ def new_run(
     clock: Callable[[], float],
     record: IterateRecord | None = None,
     enough: Callable[[], bool] = _never,
+    asked: Callable[[], bool] = _never,
     methods: tuple[SolverMethod, ...] = METHODS,
 ) -> Generator[Iterate, None, Run]:
     """Solve a project with its own settings.
@@ -47,6 +50,9 @@ def new_run(
         Is given every iterate as it comes.
     enough
         Asked after every iterate: whether to end with the best one so far.
+    asked
+        The same question, asked by methods that compute long between two iterates while they do, on any thread. It may
+        take its time.
     methods
         Those that there are.
 
@@ -64,7 +70,15 @@ def new_run(
     line = derive.centreline(project).needed()
     record = IterateRecord(inputs.targets.length) if record is None else record
     seconds = 0.0
-    job = solve(line, inputs.segments, inputs.targets, inputs.settings, methods=methods, warm=warm_start(project))
+    job = solve(
+        line,
+        inputs.segments,
+        inputs.targets,
+        inputs.settings,
+        methods=methods,
+        warm=warm_start(project),
+        asked=asked,
+    )
     while True:
         began = clock()
         try:
@@ -75,6 +89,10 @@ def new_run(
             break
         except (InputError, TargetError):
             raise
+        except StoppedWithinError:
+            seconds += clock() - began
+            solution = _ended_early(inputs, record, _BY_HAND)
+            break
         except Exception as error:  # noqa: BLE001 - what was found until then is worth more than the fault
             seconds += clock() - began
             why = f"{type(error).__name__}: {' '.join(str(error).split())[:200]}".removesuffix(": ")
@@ -85,7 +103,7 @@ def new_run(
         yield iterate
         if enough():
             job.close()
-            solution = _ended_early(inputs, record, "Stopped by hand")
+            solution = _ended_early(inputs, record, _BY_HAND)
             break
     return finished_run(
         inputs,

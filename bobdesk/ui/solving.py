@@ -44,9 +44,24 @@ class _Control:
         # Closed while the window draws: two threads that fight for the interpreter are slower than one after the other.
         self.gate = threading.Event()
         self.gate.set()
+        self._rested = 0.0
         self.pause: Callable[[], object] = self.enough.is_set
+        self.rest: Callable[[], bool] = self.enough.is_set
         self.line: Centreline | None = None
         self.inputs: RunInputs | None = None
+
+    def asked(self) -> bool:
+        """Rest between two evaluations while the run rests or the window draws; return whether to end."""
+        began = time.perf_counter()
+        if not self.gate.is_set():
+            self.gate.wait(_PATIENCE_S)
+        end = self.rest() or self.enough.is_set()
+        self._rested += time.perf_counter() - began
+        return end
+
+    def clock(self) -> float:
+        """Return seconds that stand still while the run rests between two evaluations."""
+        return time.perf_counter() - self._rested
 
 
 def _pulled(control: _Control) -> Generator[int, None, Run]:
@@ -61,9 +76,10 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
     job = new_run(
         project,
         name=control.name,
-        clock=time.perf_counter,
+        clock=control.clock,
         record=control.record,
         enough=control.enough.is_set,
+        asked=control.asked,
         methods=watched_methods(),
     )
     due = 0.0
@@ -243,7 +259,7 @@ class Solving(QObject):
             failed=self._desk.notices.error,
             progressed=self._on_progress,
         )
-        control.pause = job.pause
+        control.pause, control.rest = job.pause, job.rest
         job.when_user_stops = self.stop
         self._job = job
         job.ended.connect(self._on_ended)
