@@ -85,7 +85,8 @@ _SYSTEM_LIBRARIES = re.compile(
 # Qt's plug-ins for television sets, databases, and on-screen keyboards, and the libraries that only these use.
 _UNUSED_QT = re.compile(
     r"""
-    /plugins/(egldeviceintegrations|networkinformation|generic|sqldrivers|qmltooling|designer|printsupport|platforminputcontexts/.*virtual
+    /plugins/(egldeviceintegrations|networkinformation|generic|sqldrivers|qmltooling|designer|printsupport
+      |platforminputcontexts/.*virtual
       |platforms/(lib)?q(eglfs|linuxfb|vnc|vkkhrdisplay|minimalegl|minimal|direct2d)
       |platformthemes/libqgtk3|imageformats/(lib)?qpdf|wayland-graphics-integration-server)
     |(lib)?Qt6?(Qml|Quick|VirtualKeyboard|Pdf|Sql|Egl|Test|Designer|Help|PrintSupport|ShaderTools|Labs)[A-Za-z]*[.\d]

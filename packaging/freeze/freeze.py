@@ -50,7 +50,7 @@ def _run(*call: str, environment: dict[str, str] | None = None) -> None:
 
 
 def _strip(program: Path) -> None:
-    """Take the symbols off libraries; not off those that were edited after linking, as in most wheels: they may break."""
+    """Take the symbols off libraries, but not off those that were edited after linking: most wheels' may break."""
     if shutil.which("strip") is None:
         print("freeze: there is no `strip` (package binutils); the program is some megabytes larger", file=sys.stderr)
         return
