@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtGui import QKeySequence
+
 from bobdesk.ui.actions.action import MenuName
 from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.actions.edit_actions import EditActions
@@ -17,6 +19,7 @@ from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
 from bobdesk.ui.updates.updates import updates_of
+from bobdesk.ui.typing_undo import TypingUndo
 
 if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
@@ -25,11 +28,16 @@ if TYPE_CHECKING:
 def make_actions(window: MainWindow) -> ActionSet:
     """Return the actions of a window, and fill its menu bar with them."""
     desk, view = window.desk, window.view
+
+    def undo_keys() -> tuple[list[QKeySequence], list[QKeySequence]]:
+        return made["undo"].shortcuts(), made["redo"].shortcuts()
+
     table = (
         *FileActions(desk.session, window.documents, window.plans, window.close, window).table(),
         *EditActions(
             desk.session,
             window.plans,
+            TypingUndo(window, undo_keys),
             view.take_back,
             lambda: view.tool_name not in ("select", "boundaries"),
             window,
