@@ -59,6 +59,10 @@ WINDOWS_EXECUTABLE = f"{NAME}.exe"  # without a console
 WINDOWS_CONSOLE = f"{PROGRAM}-cli.exe"
 MACOS_MINIMUM = "13.0"
 
+# Where the program asks for newer versions, if its user wants that: an https address that answers as GitHub does for
+# the latest release of a repository. Empty: packages do not offer it. What a package manager installs never does.
+RELEASE_FEED = os.environ.get("BOBDESK_RELEASE_FEED", "")
+
 
 def source_date_epoch() -> int:
     """Return the date of what is built, seconds: that of the commit, unless SOURCE_DATE_EPOCH says another.
