@@ -13,7 +13,7 @@ from PySide6.QtCore import QEvent, QLibraryInfo, QLocale, QTimer, QTranslator
 from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import QApplication
 
-from bobdesk import __version__
+from bobdesk import APPLICATION_ID, __version__
 from bobdesk.files.recovery import user_data_folder
 from bobdesk.ui.crash import CrashGuard
 from bobdesk.ui.icons import icon
@@ -33,7 +33,7 @@ def make_application(arguments: Sequence[str]) -> QApplication:
     application.setApplicationName("BobDesk")
     application.setApplicationDisplayName("BobDesk")
     application.setApplicationVersion(__version__)
-    application.setDesktopFileName("bobdesk")
+    application.setDesktopFileName(APPLICATION_ID)
     QImageReader.setAllocationLimit(_QT_IMAGES_MB)
     return application
 
