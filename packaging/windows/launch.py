@@ -19,7 +19,7 @@ def main() -> int:
         from bobdesk.__main__ import main as bobdesk
 
         status = bobdesk()
-    except Exception:
+    except Exception:  # noqa: BLE001 - whatever it is, it must be seen
         import traceback
 
         traceback.print_exc()

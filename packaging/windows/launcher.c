@@ -3,8 +3,6 @@
  * They load Python's DLL from the folder "runtime" and run the module "launch" in it with their own arguments.
  * RUNTIME is the way from the program's folder to it, PYDLL the DLL's name, PRODUCT what a person calls the program.
  */
-#define UNICODE
-#define _UNICODE
 #define _WIN32_WINNT 0x0A00
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
