@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QApplication
 from bobdesk import APPLICATION_ID, __version__
 from bobdesk.files.recovery import user_data_folder
 from bobdesk.ui.crash import CrashGuard
+from bobdesk.ui.file_requests import Application
 from bobdesk.ui.icons import icon
 from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.qt import refuse_unsound_versions
@@ -26,10 +27,10 @@ from bobdesk.ui.theme import ThemeFollower
 _QT_IMAGES_MB = 4096
 
 
-def make_application(arguments: Sequence[str]) -> QApplication:
+def make_application(arguments: Sequence[str]) -> Application:
     """Return the application, with its names and limits."""
     refuse_unsound_versions(sys.version_info[:3], PySide6.__version__)
-    application = QApplication(["bobdesk", *arguments])
+    application = Application(["bobdesk", *arguments])
     application.setApplicationName("BobDesk")
     application.setApplicationDisplayName("BobDesk")
     application.setApplicationVersion(__version__)
@@ -64,6 +65,7 @@ def start(path: Path | None) -> int:
     window.show()
     if path is not None:
         QTimer.singleShot(0, window, partial(window.open_file, path))
+    application.requests.hand_to(window, window.open_file)
     QTimer.singleShot(0, window, window.warm_up)
     status = application.exec()
     guard.uninstall()

@@ -40,6 +40,7 @@ class HelpActions(QObject):
                 self.tr("Units, language, theme and saving"),
                 menu="Edit",
                 group="preferences",
+                role="preferences",
             ),
             Action(
                 "shortcuts",
@@ -70,6 +71,7 @@ class HelpActions(QObject):
                 self.tr("Versions and licences"),
                 menu="Help",
                 group="about",
+                role="about",
             ),
         )
 
