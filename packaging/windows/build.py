@@ -17,7 +17,7 @@ from pathlib import Path
 
 from house import HERE, HOUSE, PACKAGING, identity
 from installer import write_setup
-from interpreter import GCC, OBJDUMP
+from interpreter import GCC
 from launchers import WINDRES, write_launchers
 from tree import date_everything, write_runtime
 from wheels import INTERPRETER, PYTHON, download, download_interpreter, sha256
@@ -29,7 +29,22 @@ def main() -> None:
     out = Path(sys.argv[1] if len(sys.argv) > 1 else "dist").resolve()
     work = Path(sys.argv[2] if len(sys.argv) > 2 else "build/windows").resolve()
     refuse_without_tools()
-    epoch, sign = identity.source_date_epoch(), os.environ.get("SIGN", "")
+    sign = os.environ.get("SIGN", "")
+    tree, sums = put_together(work, sign)
+
+    print("Packing setup.exe (two to five minutes) ...", flush=True)
+    setup = out / f"{identity.NAME}-{identity.VERSION}-setup.exe"
+    write_setup(tree, setup, work / "icons", work, sign)
+    (out / f"{setup.stem}-downloads.sha256").write_text("\n".join(sums) + "\n", encoding="ascii")
+    size = setup.stat().st_size / 1e6
+    print(f"{setup} ({size:.1f} MB{'' if sign else ', not signed'})\nsha256 {sha256(setup)}")
+    if size > LARGEST_SETUP_MB:
+        sys.exit(f"setup.exe is larger than {LARGEST_SETUP_MB} MB.")
+
+
+def put_together(work: Path, sign: str) -> tuple[Path, list[str]]:
+    """Return the folder that setup.exe is to install, in `work`, and the checksums of all that was downloaded."""
+    epoch = identity.source_date_epoch()
     tree, icons = work / identity.NAME, work / "icons"
     shutil.rmtree(tree, ignore_errors=True)
 
@@ -49,15 +64,7 @@ def main() -> None:
         if sign:
             subprocess.run([*shlex.split(sign), str(program)], check=True)
     date_everything(tree, epoch)
-
-    print("Packing setup.exe (about two minutes) ...", flush=True)
-    setup = out / f"{identity.NAME}-{identity.VERSION}-setup.exe"
-    write_setup(tree, setup, icons, work, sign)
-    (out / f"{setup.stem}-downloads.sha256").write_text("\n".join(sums) + "\n", encoding="ascii")
-    size = setup.stat().st_size / 1e6
-    print(f"{setup} ({size:.1f} MB{'' if sign else ', not signed'})\nsha256 {sha256(setup)}")
-    if size > LARGEST_SETUP_MB:
-        sys.exit(f"setup.exe is larger than {LARGEST_SETUP_MB} MB.")
+    return tree, sums
 
 
 def refuse_without_tools() -> None:
@@ -65,7 +72,7 @@ def refuse_without_tools() -> None:
     if sys.version_info[:2] != PYTHON:
         version = ".".join(map(str, PYTHON))
         sys.exit(f"Python {version} is needed, whose library goes along: make PYTHON=python{version} VENV=... windows")
-    missing = [tool for tool in ("makensis", GCC, OBJDUMP, WINDRES) if shutil.which(tool) is None]
+    missing = [tool for tool in ("makensis", GCC, WINDRES) if shutil.which(tool) is None]
     if missing:
         sys.exit(f"{', '.join(missing)}: not found; on Debian: apt-get install nsis gcc-mingw-w64-x86-64")
     if os.environ.get("PYTHONHASHSEED") != "0":

@@ -8,19 +8,17 @@ version. `python3.dll`, which hands calls of the stable interface on to `python3
 from __future__ import annotations
 
 import py_compile
-import re
 import subprocess
-import sys
 import sysconfig
 import zipfile
 from pathlib import Path
 
+from pe import PortableExecutable
 from trim import wants_interpreter, wants_library
 from wheels import PYTHON
 
 STEM = f"python{PYTHON[0]}{PYTHON[1]}"
 GCC = "x86_64-w64-mingw32-gcc"
-OBJDUMP = "x86_64-w64-mingw32-objdump"
 REPRODUCIBLE = ["-s", "-static-libgcc", "-Wl,--no-insert-timestamp"]
 HARDENED = ["-Wl,--dynamicbase", "-Wl,--nxcompat", "-Wl,--high-entropy-va"]
 _NOTHING_TO_DO = (
@@ -83,12 +81,7 @@ def compile_file(source: Path, shown: str, target: Path | None = None) -> None:
 
 def write_forwarder(library: Path, forwarder: Path) -> None:
     """Write a DLL that hands everything which `library` offers on to it."""
-    listed = subprocess.run([OBJDUMP, "-p", str(library)], capture_output=True, text=True, check=True).stdout
-    names = sorted(
-        set(re.findall(r"^\s*\[\s*\d+\](?: \+base\[\s*\d+\])?\s+(?:[0-9a-f]{4,}\s+)?([A-Za-z_]\w*)$", listed, re.M))
-    )
-    if "PyObject_Call" not in names:
-        sys.exit(f"The functions of {library.name} cannot be listed with {OBJDUMP}.")
+    names = sorted(PortableExecutable(library).exports())
     code, exports = forwarder.with_suffix(".c"), forwarder.with_suffix(".def")
     code.write_text(_NOTHING_TO_DO, encoding="ascii")
     lines = [f'  "{name}" = "{library.stem}.{name}"' for name in names]

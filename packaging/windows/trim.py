@@ -18,8 +18,8 @@ _QT_PARTS = "Core|Gui|Widgets|Svg|Network|PrintSupport"
 _QT_KEPT = re.compile(
     rf"PySide6/(__init__|_config|_git_pyside_version)\.py$"
     rf"|PySide6/support/"
-    rf"|PySide6/Qt({_QT_PARTS}|Test|OpenGL|OpenGLWidgets)\.pyd$"
-    rf"|PySide6/Qt6({_QT_PARTS}|Test|OpenGL|OpenGLWidgets)\.dll$"
+    rf"|PySide6/Qt({_QT_PARTS}|OpenGL)\.pyd$"
+    rf"|PySide6/Qt6({_QT_PARTS}|OpenGL)\.dll$"
     r"|PySide6/pyside6\.abi3\.dll$"
     r"|PySide6/plugins/(platforms/q(windows|offscreen|minimal)|imageformats/q(svg|jpeg|ico|gif|tiff|webp)|iconengines/qsvg"
     r"|styles/|tls/qschannel|networkinformation/)"
@@ -33,6 +33,7 @@ _PACKAGES = re.compile(
     r"|^(PySide6|shiboken6)/(typesystems|glue|include|doc|docs|scripts|metatypes|qml|lib|resources)/"
     r"|^shiboken6/(msvcp|vcruntime|concrt|vcomp|vccor|vcamp)"
     r"|^numpy/(_core/include|random/lib)/"
+    r"|^PIL/_(avif|imagingtk)\.[^/]*pyd$"
     r"|\.dist-info/(RECORD|INSTALLER|REQUESTED)$",
     re.IGNORECASE,
 )
