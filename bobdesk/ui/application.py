@@ -23,6 +23,7 @@ from bobdesk.ui.qt import refuse_unsound_versions
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import ThemeFollower
+from bobdesk.ui.updates.updates import updates_of
 
 _QT_IMAGES_MB = 4096
 
@@ -67,7 +68,12 @@ def start(path: Path | None) -> int:
         QTimer.singleShot(0, window, partial(window.open_file, path))
     application.requests.hand_to(window, window.open_file)
     QTimer.singleShot(0, window, window.warm_up)
+    updates = updates_of(window.desk)
+    if updates is not None:
+        updates.ask_later()
     status = application.exec()
+    if updates is not None:
+        updates.drop()
     guard.uninstall()
     settings.write()
     # The window goes before the application, or Qt's own objects end in the wrong order.

@@ -16,6 +16,7 @@ from bobdesk.ui.actions.solve_actions import SolveActions
 from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
+from bobdesk.ui.updates.updates import updates_of
 
 if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
@@ -40,7 +41,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *SegmentActions(desk, window).table(),
         *SolveActions(desk, window, window.views, window).table(),
         *WindowActions(window, window).table(),
-        *HelpActions(lambda: window.actions_by_name, desk.settings, window).table(),
+        *HelpActions(lambda: window.actions_by_name, desk.settings, window, updates_of(desk)).table(),
     )
     made = ActionSet(table, desk.settings, window, view)
     titles: tuple[tuple[MenuName, str], ...] = (

@@ -11,6 +11,7 @@ from types import TracebackType
 import PySide6
 from PySide6.QtCore import QEvent, QEventLoop, QMessageLogContext, Qt, QtMsgType, qInstallMessageHandler, qVersion
 from PySide6.QtGui import QFontMetricsF, QGuiApplication, QImageReader
+from PySide6.QtNetwork import QSslSocket
 from PySide6.QtWidgets import QApplication
 
 from bobdesk.ui.application import install_language, make_application
@@ -133,6 +134,8 @@ class UnseenWindow:
                 bytes(kind.data()).decode() for kind in QImageReader.supportedImageFormats()
             ),
             "screens": screens,
+            # What newer versions are asked for with.
+            "tls": QSslSocket.activeBackend() if QSslSocket.supportsSsl() else None,
         }
 
     def save_picture(self, path: Path) -> None:
