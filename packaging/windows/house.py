@@ -1,4 +1,4 @@
-"""Where the parts of the repository lie, and the names that all packages share."""
+"""Where the parts of the repository lie, and what the packages of all systems share."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ HERE = Path(__file__).resolve().parent
 PACKAGING = HERE.parent
 HOUSE = PACKAGING.parent
 
-sys.path.insert(0, str(PACKAGING))
-import identity  # noqa: E402 - it lies beside this folder, which is no package
+# They lie beside this folder; "packaging" itself is no package, for there is one of that name.
+sys.path[1:1] = [str(PACKAGING), str(PACKAGING / "freeze")]
+import contents  # noqa: E402
+import identity  # noqa: E402
+import runtime  # noqa: E402
 
-__all__ = ["HERE", "HOUSE", "PACKAGING", "identity"]
+__all__ = ["HERE", "HOUSE", "PACKAGING", "contents", "identity", "runtime"]

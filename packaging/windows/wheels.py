@@ -12,11 +12,11 @@ import zipfile
 from collections.abc import Iterable
 from pathlib import Path
 
+from house import runtime
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 PYTHON = (3, 11)
-EXTRAS = ("cad",)  # dask's workers are for those who have a cluster, and they have Python
 INTERPRETER = "panda3d==1.10.16"  # brings the signed DLLs of python.org for programs that are frozen with it
 
 # What the markers of requirements mean on the machine that the program is for, not on the one that builds.
@@ -119,7 +119,10 @@ def read_pins(constraints: Path) -> dict[str, str]:
 def own_requirements(pyproject: Path) -> list[Requirement]:
     """Return what the program itself asks for."""
     project = tomllib.loads(pyproject.read_text(encoding="utf-8"))["project"]
-    texts = [*project["dependencies"], *(text for extra in EXTRAS for text in project["optional-dependencies"][extra])]
+    texts = [
+        *project["dependencies"],
+        *(text for extra in runtime.EXTRAS for text in project["optional-dependencies"][extra]),
+    ]
     return [Requirement(text) for text in texts]
 
 
