@@ -13,6 +13,7 @@ from bobdesk.project.project import Project
 from bobdesk.project.steps import StepName
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
+from bobdesk.ui.guide.guide import Guide
 from bobdesk.ui.notice_bar import NoticeBar
 from bobdesk.ui.notices import Notices
 from bobdesk.ui.plan_picture import PlanPicture
@@ -71,6 +72,8 @@ class MainWindow(QMainWindow):
         self.start = Start(self.desk, self.documents, self.plans, self)
         self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self.views = WindowViews(self.desk, self.start.page, self.view, self)
+        self.guide = Guide(lambda: self.actions_by_name, self._step_in_sight, settings, self.desk.notices, self)
+        self.start.page.guide_wanted.connect(self.guide.open)
         self._put_together()
         self.actions_by_name = make_actions(self)
         self.layout_of_window = WindowLayout(self, settings)
@@ -137,6 +140,7 @@ class MainWindow(QMainWindow):
         if not self._may_close:
             event.ignore()
             return
+        self.guide.close()
         self.layout_of_window.remember()
         self.desk.runner.close()
         self.documents.close(forget_copy=self._forget_copy)
@@ -172,6 +176,9 @@ class MainWindow(QMainWindow):
         from bobdesk.ui.dialogs.import_coordinates import look_at_coordinates
 
         return look_at_coordinates(self.desk, path, as_actual=as_actual, parent=self)
+
+    def _step_in_sight(self) -> StepName | None:
+        return self.steps_bar.shown if self.desk.session.is_open else None
 
     def _settle(self) -> None:
         self._may_close = True
