@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QFrame, QLabel, QMenu, QPushButton, QScrollArea, Q
 
 from bobdesk.files.recovery_store import Recoverable
 from bobdesk.ui.guide.pages import FIRST_TRACK_PAGE
-from bobdesk.ui.icons import icon
 from bobdesk.ui.recent_entries import RecentEntry, unread_entry
 from bobdesk.ui.samples import practice_picture, samples
 from bobdesk.ui.settings import Settings
@@ -157,7 +156,7 @@ class StartPage(QWidget):
         hint.setWordWrap(True)
         self._column.addWidget(hint)
         self._column.addSpacing(10)
-        self.first_track = QPushButton(icon("next"), self.tr("First track in ten minutes"))
+        self.first_track = QPushButton(self.tr("First track in ten minutes"))
         self.first_track.setProperty("kind", "link")
         self.first_track.setCursor(Qt.CursorShape.PointingHandCursor)
         self.first_track.setToolTip(self.tr("Opens the guide: from a picture to a 3D line in a file, step by step"))

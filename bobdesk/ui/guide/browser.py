@@ -27,7 +27,7 @@ from bobdesk.ui.theme import colours
 
 # The pictures are taken at twice the size at which they are shown.
 _PICTURE_SCALE = 2.0
-_WIDEST_EM = 52.0
+_WIDEST_EM = 63.0
 _MARGIN = 28.0
 _REST_MS = 80
 
@@ -58,9 +58,6 @@ class GuideBrowser(QTextBrowser):
         self._at_top: int | None = None
         self.setOpenLinks(False)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setTextInteractionFlags(
-            Qt.TextInteractionFlag.TextBrowserInteraction | Qt.TextInteractionFlag.TextSelectableByKeyboard
-        )
         self.setAccessibleName(self.tr("Page of the guide"))
         self.setToolTip("")
         self.anchorClicked.connect(lambda url: self.link_followed.emit(url.toString()))
@@ -85,6 +82,7 @@ class GuideBrowser(QTextBrowser):
         self._page = page
         self._at_top = None
         self._draw()
+        self.moveCursor(QTextCursor.MoveOperation.Start)
         self.verticalScrollBar().setValue(0)
 
     def redraw(self, zoom: float | None = None) -> None:
@@ -202,16 +200,18 @@ class GuideBrowser(QTextBrowser):
             self.go_to_block(self.document().findBlockByNumber(self._at_top))
 
     def _fit_pictures(self, column: float) -> None:
-        document = self.document()
-        block = document.begin()
+        found: list[tuple[int, QTextImageFormat]] = []
+        block = self.document().begin()
         while block.isValid():
             at = block.begin()
             while not at.atEnd():
                 piece = at.fragment()
                 if piece.isValid() and piece.charFormat().isImageFormat():
-                    self._fit_picture(piece.position(), QTextImageFormat(piece.charFormat().toImageFormat()), column)
+                    found.append((piece.position(), QTextImageFormat(piece.charFormat().toImageFormat())))
                 at += 1
             block = block.next()
+        for position, shape in found:
+            self._fit_picture(position, shape, column)
 
     def _fit_picture(self, position: int, shape: QTextImageFormat, column: float) -> None:
         size = self._size_of(shape.name())

@@ -81,4 +81,7 @@ def _excerpt(text: str, at: int) -> str:
         # Begin with a whole word.
         first = text.find(" ", first) + 1 if " " in text[first:at] else first
     last = min(len(text), at + _AROUND)
+    if last < len(text):
+        # End with a whole word.
+        last = max(text.rfind(" ", at, last), at + 1)
     return ("… " if first else "") + text[first:last].strip() + (" …" if last < len(text) else "")

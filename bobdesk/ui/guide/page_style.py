@@ -15,8 +15,11 @@ from PySide6.QtGui import (
     QTextDocument,
     QTextFormat,
     QTextFrame,
+    QTextFrameFormat,
     QTextLength,
     QTextTable,
+    QTextTableCell,
+    QTextTableCellFormat,
 )
 
 from bobdesk.ui.theme import colours
@@ -41,14 +44,13 @@ def style_page(document: QTextDocument, size: float) -> None:
     cursor.beginEditBlock()
     block = document.begin()
     while block.isValid():
-        _style_block(block, size)
+        _style_block(document, block, size)
         block = block.next()
-    _style_tables(document.rootFrame(), size)
+    _style_tables(document, document.rootFrame(), size)
     cursor.endEditBlock()
-    document.setUndoRedoEnabled(False)
 
 
-def _style_block(block: QTextBlock, size: float) -> None:
+def _style_block(document: QTextDocument, block: QTextBlock, size: float) -> None:
     of = colours()
     cursor = QTextCursor(block)
     shape = QTextBlockFormat()
@@ -76,22 +78,15 @@ def _style_block(block: QTextBlock, size: float) -> None:
         shape.setLeftMargin(size)
         shape.setRightMargin(size)
     cursor.mergeBlockFormat(shape)
-    if level:
-        _over(block, _heading(larger * size))
     for start, length, found in _fragments(block):
         if found.isImageFormat():
             continue
-        if found.isAnchor():
-            _over_part(document_of(block), start, length, _link())
+        if level:
+            _instead(document, start, length, _heading(found, larger * size))
+        elif found.isAnchor():
+            _over_part(document, start, length, _link())
         elif found.fontFixedPitch() or found.fontFamilies() == ["monospace"]:
-            _over_part(document_of(block), start, length, _code(size, in_text=not is_code))
-
-
-def document_of(block: QTextBlock) -> QTextDocument:
-    """Return the document that a block is of."""
-    document = block.document()
-    assert document is not None
-    return document
+            _over_part(document, start, length, _code(size, in_text=not is_code))
 
 
 def _fragments(block: QTextBlock) -> list[tuple[int, int, QTextCharFormat]]:
@@ -105,8 +100,11 @@ def _fragments(block: QTextBlock) -> list[tuple[int, int, QTextCharFormat]]:
     return found
 
 
-def _over(block: QTextBlock, look: QTextCharFormat) -> None:
-    _over_part(document_of(block), block.position(), block.length() - 1, look)
+def _instead(document: QTextDocument, start: int, length: int, look: QTextCharFormat) -> None:
+    cursor = QTextCursor(document)
+    cursor.setPosition(start)
+    cursor.setPosition(start + length, QTextCursor.MoveMode.KeepAnchor)
+    cursor.setCharFormat(look)
 
 
 def _over_part(document: QTextDocument, start: int, length: int, look: QTextCharFormat) -> None:
@@ -116,9 +114,10 @@ def _over_part(document: QTextDocument, start: int, length: int, look: QTextChar
     cursor.mergeCharFormat(look)
 
 
-def _heading(size: float) -> QTextCharFormat:
-    look = QTextCharFormat()
-    look.setProperty(QTextFormat.Property.FontSizeAdjustment, 0)
+def _heading(before: QTextCharFormat, size: float) -> QTextCharFormat:
+    look = QTextCharFormat(before)
+    # It would win over the size.
+    look.clearProperty(QTextFormat.Property.FontSizeAdjustment)
     look.setFontPointSize(size)
     look.setFontWeight(QFont.Weight.DemiBold)
     return look
@@ -141,35 +140,30 @@ def _code(size: float, *, in_text: bool) -> QTextCharFormat:
     return look
 
 
-def _style_tables(frame: QTextFrame, size: float) -> None:
+def _style_tables(document: QTextDocument, frame: QTextFrame, size: float) -> None:
     of = colours()
     for child in frame.childFrames():
         if isinstance(child, QTextTable):
             shape = child.format()
-            shape.setBorder(1)
-            shape.setBorderCollapse(True)
-            shape.setBorderBrush(QBrush(QColor(of.border)))
+            shape.setBorder(0)
             shape.setCellPadding(_CELL * size * 1.6)
             shape.setCellSpacing(0)
             shape.setBottomMargin(size * 1.3)
             shape.setWidth(QTextLength(QTextLength.Type.PercentageLength, 100))
             child.setFormat(shape)
-            for column in range(child.columns()):
-                cell = child.cellAt(0, column)
-                head = cell.format()
-                head.setBackground(QBrush(QColor(of.window)))
-                cell.setFormat(head)
-                for block in _blocks_between(child.document(), cell.firstPosition(), cell.lastPosition()):
-                    alignment = QTextBlockFormat()
-                    alignment.setAlignment(Qt.AlignmentFlag.AlignLeft)
-                    QTextCursor(block).mergeBlockFormat(alignment)
-        _style_tables(child, size)
+            for row in range(child.rows()):
+                for column in range(child.columns()):
+                    _style_cell(document, child.cellAt(row, column), is_head=row == 0, line=QColor(of.border))
+        _style_tables(document, child, size)
 
 
-def _blocks_between(document: QTextDocument, first: int, last: int) -> list[QTextBlock]:
-    found = []
-    block = document.findBlock(first)
-    while block.isValid() and block.position() <= last:
-        found.append(block)
-        block = block.next()
-    return found
+def _style_cell(document: QTextDocument, cell: QTextTableCell, *, is_head: bool, line: QColor) -> None:
+    look = QTextTableCellFormat(cell.format().toTableCellFormat())
+    look.setBottomBorder(1.5 if is_head else 1)
+    look.setBottomBorderStyle(QTextFrameFormat.BorderStyle.BorderStyle_Solid)
+    look.setBottomBorderBrush(QBrush(line))
+    cell.setFormat(look)
+    block = cell.firstCursorPosition().block()
+    alignment = QTextBlockFormat()
+    alignment.setAlignment(Qt.AlignmentFlag.AlignLeft)
+    QTextCursor(block).mergeBlockFormat(alignment)
