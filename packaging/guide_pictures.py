@@ -105,9 +105,7 @@ class Photographer:
         from PySide6.QtWidgets import QPushButton
 
         found = [
-            one
-            for one in (inside or self.window).findChildren(QPushButton)
-            if one.text() == text and one.isVisible()
+            one for one in (inside or self.window).findChildren(QPushButton) if one.text() == text and one.isVisible()
         ]
         return found[0]
 

@@ -33,6 +33,7 @@ from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
 from bobdesk.ui.window_panels import WindowPanels
+from bobdesk.ui.window_parts import go_to_part
 from bobdesk.ui.window_views import WindowViews
 
 
@@ -129,9 +130,10 @@ class MainWindow(QMainWindow):
         self.layout_of_window.reset()
         self._show_document()
 
-    def next_part(self) -> None:
-        """Move the focus to the next part of the window."""
-        self.layout_of_window.next_part(self.steps_bar, self.view, self.panels.stack)
+    def next_part(self, by: int = 1) -> None:
+        """Move the keyboard to the next part of the window, or with -1 to the one before."""
+        start = [(self.notice_bar,), *self.start.page.parts()]
+        go_to_part(self.layout_of_window.parts() if self.views.shows_document else start, by)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about changes that are not saved; the window closes when that is settled."""
@@ -190,7 +192,8 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(NoticeBar(self.desk.notices, centre))
+        self.notice_bar = NoticeBar(self.desk.notices, centre)
+        column.addWidget(self.notice_bar)
         column.addWidget(self.views, 1)
         self.setCentralWidget(centre)
         self.setStatusBar(self.status)

@@ -17,6 +17,7 @@ from bobdesk.ui.settings import Settings
 from bobdesk.ui.start_page_cards import BigButton, CardGrid
 from bobdesk.ui.start_page_recovery import RecoveryBanner
 from bobdesk.ui.widgets.flow_layout import FlowLayout
+from bobdesk.ui.window_parts import Part
 
 _WIDEST = 1180
 _MARGIN = 72
@@ -118,6 +119,11 @@ class StartPage(QWidget):
             self._recovery_place.addWidget(self._banner)
             self._banner.show()
         self._recovery_place.setContentsMargins(0, 0, 0, 18 if items else 0)
+
+    def parts(self) -> list[Part]:
+        """Return the parts of the page that one key leads to, one after the other."""
+        banner = () if self._banner is None else (self._banner,)
+        return [tuple(self._buttons), banner, (self.grid,), (self.first_track,)]
 
     def _add_title(self) -> None:
         title = QLabel("BobDesk")

@@ -113,8 +113,8 @@ def test_every_bold_menu_entry_is_an_action(rows):
 
 def test_dots_stand_where_the_menu_has_them(rows):
     with_dots = {f"{row.menu} → {row.plain_text}": row.text.endswith("…") for row in rows}
-    wrong = [text for _page, text in marked() if "→" in text and with_dots[text.removesuffix("…")] != text.endswith("…")]
-    assert wrong == []
+    named = [text for _page, text in marked() if "→" in text]
+    assert [text for text in named if with_dots[text.removesuffix("…")] != text.endswith("…")] == []
 
 
 def test_every_other_bold_text_stands_on_the_screen(words_on_screen):
