@@ -10,7 +10,6 @@ from PySide6.QtGui import (
     QImage,
     QImageReader,
     QKeyEvent,
-    QPalette,
     QResizeEvent,
     QTextBlock,
     QTextCharFormat,
@@ -164,12 +163,6 @@ class GuideBrowser(QTextBrowser):
     def _draw(self) -> None:
         if self._page is None:
             return
-        of = colours()
-        palette = self.palette()
-        palette.setColor(QPalette.ColorRole.Base, QColor(of.base))
-        palette.setColor(QPalette.ColorRole.Text, QColor(of.text))
-        palette.setColor(QPalette.ColorRole.Link, QColor(of.accent))
-        self.setPalette(palette)
         font = self.font()
         font.setPointSizeF(self.text_size)
         document = self.document()
