@@ -10,6 +10,7 @@ from bobdesk.ui.actions.action import MenuName
 from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.actions.edit_actions import EditActions
 from bobdesk.ui.actions.file_actions import FileActions
+from bobdesk.ui.actions.guide_actions import GuideActions
 from bobdesk.ui.actions.help_actions import HelpActions
 from bobdesk.ui.actions.line_actions import LineActions
 from bobdesk.ui.actions.scale_actions import ScaleActions
@@ -49,6 +50,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *SegmentActions(desk, window).table(),
         *SolveActions(desk, window, window.views, window).table(),
         *WindowActions(window, window).table(),
+        *GuideActions(window.guide, window.plans, window).table(),
         *HelpActions(lambda: window.actions_by_name, desk.settings, window, updates_of(desk)).table(),
     )
     made = ActionSet(table, desk.settings, window, view)
@@ -65,5 +67,6 @@ def make_actions(window: MainWindow) -> ActionSet:
     )
     for name, title in titles:
         made.add_menu(window.menuBar(), name, title)
+    window.start.page.practice_wanted.connect(made["practice_picture"].trigger)
     view.context_menu_maker = lambda: made.context_menu(view)
     return made
