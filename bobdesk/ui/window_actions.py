@@ -19,8 +19,8 @@ from bobdesk.ui.actions.solve_actions import SolveActions
 from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
-from bobdesk.ui.updates.updates import updates_of
 from bobdesk.ui.typing_undo import TypingUndo
+from bobdesk.ui.updates.updates import updates_of
 
 if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow

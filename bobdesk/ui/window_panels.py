@@ -46,8 +46,11 @@ class WindowPanels:
     @property
     def has_focus(self) -> bool:
         """Whether the keyboard is in a panel."""
+        return self._focus() is not None
+
+    def _focus(self) -> QWidget | None:
         focus = QApplication.focusWidget()
-        return focus is not None and self.stack.isAncestorOf(focus)
+        return focus if focus is not None and self.stack.isAncestorOf(focus) else None
 
     def show_step(self, step: StepName) -> bool:
         """Show the panel of a step, and on the plan what it is about; return whether it is another panel than before.
@@ -55,8 +58,9 @@ class WindowPanels:
         What is typed and not taken yet goes to the panel that it was typed into.
         """
         before = self.stack.currentWidget()
-        if step in self._makers and self._shown.get(step) is not before and self.has_focus:
-            QApplication.focusWidget().clearFocus()
+        focus = self._focus()
+        if focus is not None and step in self._makers and self._shown.get(step) is not before:
+            focus.clearFocus()
         self._view.show_step(step)
         if step not in self._makers:
             return False

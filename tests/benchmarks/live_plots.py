@@ -128,8 +128,9 @@ def main(rounds=5, seconds=7.0):
     unseen, shown = sum(run.unseen) / len(run.unseen), sum(run.shown) / len(run.shown)
     print(f"iterations a second, unseen {unseen:,.0f}, shown {shown:,.0f}: {100 * (1 - shown / unseen):.1f} % fewer")
     print(f"turn by turn, {len(costs)} pairs: {middle:.1f} % fewer (quartiles {low:.1f} and {high:.1f})")
-    print(f"lateness of the window: p50 {np.percentile(run.late, 50):.1f} ms, p99 {np.percentile(run.late, 99):.1f} ms, "
-          f"largest {max(run.late):.1f} ms of {len(run.late)} events; {run.frames} pictures shown")  # fmt: skip
+    half, most = np.percentile(run.late, [50, 99])
+    late = f"p50 {half:.1f} ms, p99 {most:.1f} ms, largest {max(run.late):.1f} ms of {len(run.late)} events"
+    print(f"lateness of the window: {late}; {run.frames} pictures shown")
 
 
 if __name__ == "__main__":
