@@ -6,15 +6,15 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal
 
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
-from bobdesk.project.runs import Layout, Run, RunInputs
+from bobdesk.project.runs import Run, RunInputs
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.runner import Job
 
@@ -102,17 +102,8 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
         job.close()
 
 
-@dataclass(frozen=True, eq=False)
-class Journey:
-    """How a run came to its end: what is needed to draw any of its kept iterates."""
-
-    line: Centreline
-    inputs: RunInputs
-    record: IterateRecord
-
-
 class Solving(QObject):
-    """The run that works, those that wait, and the way that finished ones took.
+    """The run that works, those that wait, and all figures of those that have finished in this session.
 
     Signals
     -------
@@ -134,7 +125,7 @@ class Solving(QObject):
         self._job: Job | None = None
         self._control: _Control | None = None
         self._waiting: deque[_Control] = deque()
-        self._journeys: WeakKeyDictionary[Layout, Journey] = WeakKeyDictionary()
+        self._records: WeakKeyDictionary[Layout, IterateRecord] = WeakKeyDictionary()
         self._told = 0.0
         self._wait = _TELL_EVERY_S
         self._rate_from = (0.0, 0)
@@ -229,9 +220,9 @@ class Solving(QObject):
         if self._job is not None:
             self._job.stop()
 
-    def journey_of(self, run: Run) -> Journey | None:
-        """Return how a run of this session came to its end."""
-        return self._journeys.get(run.layout)
+    def record_of(self, run: Run) -> IterateRecord | None:
+        """Return the figures of every iterate of a run of this session; others have 2,000 of them at most."""
+        return self._records.get(run.layout)
 
     def newest_line(self) -> Centreline3D | None:
         """Return the 3D line of the newest iterate of the run that works."""
@@ -293,8 +284,7 @@ class Solving(QObject):
         control = self._control
         if control is None:
             return
-        if control.line is not None and control.inputs is not None:
-            self._journeys[run.layout] = Journey(control.line, control.inputs, control.record)
+        self._records[run.layout] = control.record
         self.advanced.emit()
         label = self.tr("Solve, {name}").format(name=run.name)
         if self._desk.session.apply(label, lambda project: edits.keep_run(project, run)):

@@ -5,7 +5,7 @@ import pytest
 from PySide6.QtCore import QObject
 
 from bobdesk.project import edits
-from bobdesk.project.derive_runs import why_out_of_date
+from bobdesk.project.derive_runs import iterate_line, run_line, why_out_of_date
 from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.desk import Desk
@@ -35,7 +35,7 @@ def test_every_iterate_is_counted(desk, opened, solving, idle):
     solving.run()
     idle()
     assert records[-1].count == desk.session.project.run.nit
-    assert solving.journey_of(desk.session.project.run).record is records[-1]
+    assert solving.record_of(desk.session.project.run) is records[-1]
 
 
 def test_the_project_can_be_edited_meanwhile_and_the_result_is_then_out_of_date(desk, endless, solving, until, idle):
@@ -202,17 +202,18 @@ def test_closing_during_a_run_is_clean_fifty_times(qapp, tmp_path):
         qapp.processEvents()
 
 
-@pytest.mark.parametrize("method", ["pgd", "published"])
+@pytest.mark.parametrize("method", ["pgd", "published", "slsqp", "de"])
 def test_lines_of_kept_iterates_can_be_drawn(desk, opened, solving, idle, method):
-    from bobdesk.ui.solving import line_of
-
     desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method=method)))
     solving.run()
     idle()
     run = desk.session.project.run
-    journey = solving.journey_of(run)
-    kept = journey.record.kept
-    assert len(kept) <= 200
-    for iterate in (kept[0], kept[len(kept) // 2]):
-        line = line_of(journey.line, journey.inputs, iterate)
-        assert line.slope_lengths[-1] == pytest.approx(iterate.length, rel=1e-6)
+    rows = solving.record_of(run).rows()
+    kept = run.iterates
+    assert len(kept.table) <= 200
+    assert kept.numbers[0] == 0
+    assert kept.numbers[-1] == rows[-1, 0]
+    for row in (0, len(kept.table) // 2, len(kept.table) - 1):
+        line = iterate_line(run, row)
+        assert line.slope_lengths[-1] == pytest.approx(rows[int(kept.numbers[row]), 3], rel=1e-6)
+    assert iterate_line(run, len(kept.table) - 1).elevations == pytest.approx(run_line(run).elevations, abs=1e-9)
