@@ -43,9 +43,7 @@ def close_once(number: int, folder: Path) -> str:
         said.append("it was not closed in the middle of a run")
     elif len(said) == 1 and ended.returncode == 0:
         return ""
-    return (
-        f"{described(number)}, {time.perf_counter() - began:.1f} s: status {ended.returncode}, {' / '.join(said[-8:])}"
-    )
+    return f"{described(number)}: status {ended.returncode}, {' / '.join(said[-8:])}"
 
 
 def described(number: int) -> str:
