@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING
 
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError, SolverFaultError, TargetError
 from bobdesk.project import derive
 from bobdesk.project.derive_runs import warm_start
 from bobdesk.project.digest import inputs_digest
@@ -86,6 +86,12 @@ def new_run(
         except StopIteration as end:
             solution = end.value
             seconds += clock() - began
+            break
+        except SolverFaultError as error:
+            if record.best is None:
+                raise
+            seconds += clock() - began
+            solution = _ended_early(inputs, record, f"{str(error)[0].upper()}{str(error)[1:]},")
             break
         except (InputError, TargetError):
             raise

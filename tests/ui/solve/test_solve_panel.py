@@ -234,7 +234,7 @@ def test_out_of_date_is_said_with_what_has_changed(desk, panel, solving, idle):
 
 
 def test_settings_of_the_method(desk, panel, idle):
-    panel.method.more.setChecked(True)
+    panel.method.fold.set_open(True)
     assert panel.method._pgd.isVisible()
     panel.method.transition.setValue(12.0)
     assert desk.session.project.solver.pgd.transition == 12.0
