@@ -131,7 +131,7 @@ DARK = Colours(
 )
 
 
-_FIELDS = (b"QLineEdit", b"QAbstractSpinBox", b"QComboBox")
+_FIELDS = ("QLineEdit", "QAbstractSpinBox", "QComboBox")
 # By how much the style darkens the window's colour for an outline.
 _DARKER = 1.4
 
@@ -165,7 +165,7 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     application.setStyle("Fusion")
     application.setPalette(_palette(_InForce.colours))
     for name in _FIELDS:
-        application.setPalette(_field_palette(_InForce.colours), name)
+        application.setPalette(_field_palette(_InForce.colours), name)  # type: ignore[arg-type]
     application.setStyleSheet(_style_sheet(_InForce.colours))
 
 
