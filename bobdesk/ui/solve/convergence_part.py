@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QCheckBox, QToolButton
@@ -143,16 +141,16 @@ class ConvergencePart(Part):
         if data is None or not data.count:
             return
         row = data.count - 1 if number is None else data.nearest(number)
-        number_text = self.desk.quantities.number
+        number_text, short = self.desk.quantities.number, self.desk.quantities.short
         text = self.tr(
             "Iterate {number} of {last}: J {objective}, length off by {length} %, drop off by {drop} %, f {scale}"
         )
         said = text.format(
             number=number_text(float(data.numbers[row]), 0),
             last=number_text(float(data.numbers[-1]), 0),
-            objective=_short(data.values("objective")[row]),
-            length=_short(data.values("length")[row]),
-            drop=_short(data.values("drop")[row]),
+            objective=short(data.values("objective")[row]),
+            length=short(data.values("length")[row]),
+            drop=short(data.values("drop")[row]),
             scale=number_text(float(data.values("scale")[row]), 5),
         )
         if number is not None and not has_lines:
@@ -180,7 +178,3 @@ class ConvergencePart(Part):
             painter.drawLine(0, 5, 22, 5)
             painter.end()
             button.setIcon(QIcon(pixmap))
-
-
-def _short(value: float) -> str:
-    return "–" if math.isnan(value) else f"{value:.3g}"

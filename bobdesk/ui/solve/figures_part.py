@@ -139,7 +139,7 @@ class FiguresPart(Part):
             _Row(self.tr("Plan length") + in_length, metres(found.plan_length), "–",
                  "–" if actual is None else metres(actual.plan_length),
                  "" if actual is None else self._percent(100 * (found.plan_length / actual.plan_length - 1))),
-            _Row(self.tr("|K2−K3|") + ", 1/m", f"{found.mean_curvature_difference:.3g}"),
+            _Row(self.tr("|K2−K3|") + ", 1/m", self.desk.quantities.short(found.mean_curvature_difference)),
         ]  # fmt: skip
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:
