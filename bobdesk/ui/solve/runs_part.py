@@ -160,7 +160,8 @@ class RunsPart(Part):
                    lambda row: f"{self._runs[row].inputs.settings.method}, {self._runs[row].target_set}"
                    if row < len(self._runs) else "", is_number=False),
             Column(lambda: self.tr("End"), self.tr("Why the run ended"),
-                   lambda row: unit.sentence(self._runs[row].message) if row < len(self._runs) else "", is_number=False),
+                   lambda row: unit.sentence(self._runs[row].message)
+                   if row < len(self._runs) else "", is_number=False),
         )  # fmt: skip
 
     def _fit(self) -> None:
