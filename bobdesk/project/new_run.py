@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from bobdesk.errors import InputError, SolverFaultError, TargetError
@@ -129,7 +130,9 @@ def _ended_early(inputs: RunInputs, record: IterateRecord, why: str) -> Solution
     if best is None:
         raise InputError(f"{why[0].lower()}{why[1:]} before its first iterate")
     count = f"{record.count:,} iteration" + ("s" if record.count > 1 else "")
-    return solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
+    at_best = solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
+    # The best may lie behind the last: all that were made count.
+    return replace(at_best, nit=record.count)
 
 
 def solution_at(inputs: RunInputs, iterate: Iterate, *, status: int = _STOPPED, message: str = "") -> Solution:

@@ -115,9 +115,9 @@ class ShownResult(QObject):
 
     @property
     def colour(self) -> str:
-        """Of the line that is drawn first."""
+        """Of the line that is drawn first; a run at work has the colour that it keeps."""
         if self.is_live or self.run is None:
-            return colours().accent
+            return _colour(self._next_number)
         return self.colour_of(self.run)
 
     def line_of_run(self, run: Run) -> Centreline3D | None:
@@ -131,8 +131,7 @@ class ShownResult(QObject):
         if number is None:
             number, self._next_number = self._next_number, self._next_number + 1
             self._numbers[run.layout] = number
-        palette = colours().runs
-        return palette[number % len(palette)]
+        return _colour(number)
 
     def is_overlaid(self, run: Run) -> bool:
         """Return whether a run is drawn beside the shown one."""
@@ -218,6 +217,8 @@ class ShownResult(QObject):
         self._newest.drop()
         self._live, self._scrubbed, self._scrubbed_line, self._baseline = None, None, None, None
         self._overlaid.clear()
+        self._numbers.clear()
+        self._next_number = 0
 
     def _wanted(self) -> list[Run]:
         shown, baseline = self.run, self.baseline
@@ -235,6 +236,11 @@ class ShownResult(QObject):
         for layout, drawing in found:
             self._drawings[layout] = drawing
         self.changed.emit()
+
+
+def _colour(number: int) -> str:
+    palette = colours().runs
+    return palette[number % len(palette)]
 
 
 def shown_result_of(desk: Desk) -> ShownResult:

@@ -172,6 +172,24 @@ def test_the_view_in_space_follows_all_of_it(whole_window, desk_of, quiet, until
     whole_window.grab()
 
 
+def test_a_run_at_work_has_the_colour_that_it_keeps(desk_of, at_work, quiet, until):
+    shown = shown_result_of(desk_of)
+    until(lambda: shown.is_live)
+    live = shown.colour
+    assert live != shown.colour_of(desk_of.session.project.runs[0])
+    at_work.stop()
+    quiet()
+    assert shown.colour_of(desk_of.session.project.run) == live
+
+
+def test_a_run_that_is_stopped_counts_all_its_iterates(desk_of, at_work, quiet):
+    at_work.stop()
+    quiet()
+    run = desk_of.session.project.run
+    assert run.nit == at_work.record_of(run).count
+    assert f"after {run.nit:,} iterations" in run.message
+
+
 def test_copying_without_runs_copies_the_targets(whole_window, desk_of, quiet):
     desk_of.session.apply("Delete run", lambda project: edits.remove_run(project, 0))
     quiet()
