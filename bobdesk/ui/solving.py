@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 # A yield for every iterate would cost the solver a third of its time.
 _YIELD_EVERY_S = 0.003
 _TELL_EVERY_S = 0.1
-# Of its time the solver loses at most this share to being shown.
+# Of its time the solver loses at most this share to pictures.
 _SHOWING_SHARE = 0.02
 # The solver waits for a picture no longer than this.
 _PATIENCE_S = 0.1
