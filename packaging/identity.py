@@ -58,8 +58,12 @@ FILE_FIRST_ENTRY = "project.json"
 FILE_TYPE_UTI = f"{APP_ID}.project"  # macOS
 FILE_TYPE_PROGID = f"{NAME}.Project.1"  # Windows
 WINDOWS_EXECUTABLE = f"{NAME}.exe"  # without a console
-WINDOWS_CONSOLE = f"{PROGRAM}-cli.exe"
+WINDOWS_CONSOLE = f"commands/{PROGRAM}.exe"  # in a folder of its own: names differ by more than capitals there
 MACOS_MINIMUM = "13.0"
+
+# Where the program asks for newer versions, if its user wants that: an https address that answers as GitHub does for
+# the latest release of a repository. Empty: packages do not offer it. What a package manager installs never does.
+RELEASE_FEED = os.environ.get("BOBDESK_RELEASE_FEED", "")
 
 
 def source_date_epoch() -> int:

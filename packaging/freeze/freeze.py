@@ -36,6 +36,8 @@ def freeze(folder: Path) -> Path:
             "PYINSTALLER_CONFIG_DIR": str(work / "cache"),
             "BOBDESK_ICONS": str(work / "icons"),
         }
+        if identity.RELEASE_FEED:
+            environment["BOBDESK_FEED_FILE"] = str(_feed_file(work))
         call = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--clean", "--log-level", "WARN"]
         call += ["--distpath", str(folder), "--workpath", str(work / "build"), str(HERE / "bobdesk.spec")]
         _run(*call, environment=environment)
@@ -43,6 +45,13 @@ def freeze(folder: Path) -> Path:
         _strip(program)
     _make_even(program, date)
     return program
+
+
+def _feed_file(folder: Path) -> Path:
+    """Write the one file that has the program offer to look for newer versions."""
+    place = folder / "release-feed"
+    place.write_text(identity.RELEASE_FEED + "\n", encoding="ascii", newline="\n")
+    return place
 
 
 def _run(*call: str, environment: dict[str, str] | None = None) -> None:
