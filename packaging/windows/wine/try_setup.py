@@ -154,9 +154,7 @@ def upgrade(machine: Machine, older: Path, setup: Path) -> None:
     if list(machine.drive.rglob("ucrtbas0.dll")) != [machine.drive / "windows" / "system32" / "ucrtbas0.dll"]:
         raise TrialError("what is for the test alone came with setup.exe")
     megabytes = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) / 1e6
-    say(
-        f"version {identity.VERSION} over {OLDER}, in its folder: {seconds:.0f} s, {megabytes:.0f} MB; no older file is left"
-    )
+    say(f"version {identity.VERSION} over {OLDER}: {seconds:.0f} s, {megabytes:.0f} MB; old files are gone")
 
 
 def look_at_registry(machine: Machine) -> None:
