@@ -55,6 +55,10 @@ def put_together(work: Path, sign: str) -> tuple[Path, list[str]]:
 
     print("Putting the program together ...", flush=True)
     write_runtime(tree / "runtime", interpreter, [*packages, own], epoch)
+    if identity.RELEASE_FEED:
+        # The program offers to look for newer versions where it finds this.
+        feed = tree / "runtime" / "site-packages" / "bobdesk" / "resources" / "release-feed"
+        feed.write_text(identity.RELEASE_FEED + "\n", encoding="ascii", newline="\n")
     subprocess.run([sys.executable, str(PACKAGING / "icons" / "make_icons.py"), str(icons)], check=True)
     launchers = write_launchers(tree, icons, work / "launchers")
     shutil.copy(HERE / "prompt.cmd", tree / "commands" / "prompt.cmd")
