@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Generator, Sequence
-from concurrent.futures import Executor
+from concurrent.futures import Executor, Future
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from bobdesk.errors import InputError
-from bobdesk.files.processes import completed
+from bobdesk.files.processes import completed, workers_lost
 from bobdesk.files.solvers import watched_methods
 from bobdesk.progress import Progress, finish
 from bobdesk.project.record import IterateRecord
@@ -30,10 +31,21 @@ class MethodResult:
 
 @dataclass(frozen=True)
 class MethodsProgress(Progress):
-    """How far a comparison is: the results so far, and the title of the method that is at work."""
+    """How far a comparison is.
+
+    Attributes
+    ----------
+    results
+        So far.
+    at_work
+        Title of the method that is at work.
+    inputs
+        The problem, in the first step.
+    """
 
     results: tuple[MethodResult, ...] = ()
     at_work: str = ""
+    inputs: RunInputs | None = None
 
 
 def run_methods(
@@ -59,14 +71,25 @@ def run_methods(
     tasks = {number: (inputs, key) for number, (key, _) in enumerate(titles)}
     job = completed(solve_by_method, tasks, executor, ahead=1)
     try:
-        yield _progress(results, titles)
+        yield replace(_progress(results, titles), inputs=inputs)
         for done in job:
             if done is not None:
-                results.append(done[1].result())
+                results.append(_result(done[1], *titles[done[0]]))
             yield _progress(results, titles)
     finally:
         job.close()
     return tuple(results)
+
+
+def _result(future: Future[MethodResult], key: str, title: str) -> MethodResult:
+    from bobdesk.track.method_comparison import failed_method
+
+    try:
+        return future.result()
+    except BrokenProcessPool as error:
+        raise workers_lost() from error
+    except Exception as error:  # noqa: BLE001 - whatever a method raises belongs into its row
+        return MethodResult(failed_method(key, title, f"{type(error).__name__}: {error}"), IterateRecord())
 
 
 def _progress(results: Sequence[MethodResult], titles: Sequence[tuple[str, str]]) -> MethodsProgress:

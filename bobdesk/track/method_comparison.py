@@ -135,7 +135,11 @@ def _row(
 
 
 def _failed(method: SolverMethod, iterations: int, evaluations: int, seconds: float, why: str) -> MethodRow:
-    failed = f"Failed: {why.rstrip('.')}."
-    return MethodRow(
-        method.key, method.title, math.nan, None, None, None, None, iterations, evaluations, seconds, failed
-    )
+    row = failed_method(method.key, method.title, why)
+    return replace(row, iterations=iterations, evaluations=evaluations, seconds=seconds)
+
+
+def failed_method(key: str, title: str, why: str) -> MethodRow:
+    """Return the row of a method that could not even begin."""
+    sentence = f"Failed: {' '.join(why.split()).rstrip('.')}."
+    return MethodRow(key, title, math.nan, None, None, None, None, 0, 0, 0.0, sentence)

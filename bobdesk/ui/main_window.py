@@ -60,6 +60,7 @@ class MainWindow(QMainWindow):
             settings=settings,
             quantities=Quantities(settings, self),
         )
+        self.data_folder = data_folder
         self._may_close = False
         self._forget_copy = True
         self.questions = Questions(settings, self)

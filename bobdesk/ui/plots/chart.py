@@ -17,6 +17,7 @@ from bobdesk.ui.theme import colours
 _GAP, _TICK, _SAMPLE = 8.0, 5.0, 28.0
 _LEGEND_SHARE = 0.36
 _MARKED_UP_TO = 60
+_ROOM_SHARE = 0.04
 # Colour never stands alone: neighbours in the legend differ in their line, too.
 STYLES = (
     Qt.PenStyle.SolidLine,
@@ -102,7 +103,6 @@ def draw_chart(painter: QPainter, whole: QRectF, chart: Chart) -> None:
         painter.restore()
         return
     x_low, x_high = _x_range(chart)
-    low, high = min(low, y_ticks[0]), max(high, y_ticks[-1])
 
     def place(x: float, y: float) -> QPointF:
         return QPointF(
@@ -231,10 +231,9 @@ def _range(series: Sequence[Series]) -> tuple[float, float]:
     if not lows:
         return 0.0, 1.0
     low, high = min(lows), max(highs)
-    if high - low < 1e-9 * max(abs(high), abs(low), 1e-6):
-        room = 0.1 * abs(high) or 1.0
-        return low - room, high + room
-    return low, high
+    flat = high - low < 1e-9 * max(abs(high), abs(low), 1e-6)
+    room = (0.1 * abs(high) or 1.0) if flat else _ROOM_SHARE * (high - low)
+    return low - room, high + room
 
 
 def _x_range(chart: Chart) -> tuple[float, float]:
@@ -248,13 +247,15 @@ def _x_range(chart: Chart) -> tuple[float, float]:
 
 
 def nice_ticks(low: float, high: float, most: int) -> list[float]:
-    """Return round numbers that reach around a range: at most some `most` + 2."""
+    """Return the round numbers in a range, some `most` of them at most, and two at least."""
     step = 10.0 ** math.floor(math.log10((high - low) / most))
     for factor in (1, 2, 5, 10):
         if (high - low) / (factor * step) <= most:
             step *= factor
             break
-    first, last = math.floor(low / step + 1e-9), math.ceil(high / step - 1e-9)
+    while math.floor(high / step) <= math.ceil(low / step):
+        step /= 2
+    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     return [index * step for index in range(first, last + 1)]
 
 
