@@ -133,6 +133,7 @@ class MethodsWindow(BesideWindow):
             parent=self,
         )
         self.table = RowsTable(self.tr("Methods side by side"), self.model, self)
+        self.table.setMinimumHeight(150)
         self.table.fit_columns()
         self.shown = QComboBox(self)
         for text, key in (

@@ -6,7 +6,8 @@ from collections.abc import Callable, Generator, Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QHeaderView
 
 from bobdesk.errors import InputError
 from bobdesk.progress import Progress
@@ -58,6 +59,7 @@ class PlansPart(Part):
         self.table = Table(self.tr("Plans of the study"), self.model, fewest_rows=2, most_rows=6, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self._fit()
+        self.table.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.column.addWidget(self.table)
         flow = panel.add_buttons(self.column)
         self.add_button = panel.button(
@@ -246,7 +248,8 @@ class PlansPart(Part):
         self._fit()
 
     def _fit(self) -> None:
-        self.table.fit_columns(("☑☑", "made_double (open) xxxx", "8,888.88", "888.88"))
+        self.table.fit_columns(("☑☑", "", "8,888.88", "888.88"))
+        self.table.horizontalHeader().setSectionResizeMode(_NAME, QHeaderView.ResizeMode.Stretch)
 
     def _tell(self) -> None:
         self.model.refresh()

@@ -48,13 +48,13 @@ def published_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
         return RowsColumn(lambda: heading, tip, text, is_number=False)
 
     deviations = tuple(
-        number(f"{who} {figure}", f"{tip}: {long}", _deviation(source, at))
+        number(f"{who}\n{figure}", f"{tip}: {long}", _deviation(source, at))
         for source, (who, long) in enumerate(named)
         for at, (figure, tip) in enumerate(figures)
     )
     scales = tuple(
         number(
-            f"f {named[1 + at][0]}",
+            f"{named[1 + at][0]}\nf",
             tr("PublishedColumns", "Scale factor that was found, where the plan has no scale"),
             _scale(at),
             4,

@@ -26,7 +26,7 @@ class RowsColumn:
     Attributes
     ----------
     heading
-        Asked each time, since units change.
+        Asked each time, since units change; in one line or two.
     tip
         A sentence about it.
     text
@@ -128,7 +128,7 @@ class RowsModel(HeadedModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._problem(row) or (column.text(row) if not column.is_number else column.tip)
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{column.heading()} {column.text(row)}".strip()
+            return " ".join(f"{column.heading()} {column.text(row)}".split())
         if role == Qt.ItemDataRole.ForegroundRole and self._problem(row):
             return QColor(colours().error)
         return None
@@ -196,7 +196,8 @@ class RowsTable(QTableView):
         rows = self.rows_model.rows[:_SAMPLED_ROWS]
         for index, column in enumerate(self.rows_model.headed()):
             # Headings are bold by style sheet, which the metrics do not know, and have the sort mark beside them.
-            heading = round(1.15 * metrics.horizontalAdvance(column.heading())) + 16
+            lines = column.heading().split("\n")
+            heading = round(1.15 * max(metrics.horizontalAdvance(line) for line in lines)) + 16
             widest = max((metrics.horizontalAdvance(column.text(row)) for row in rows), default=0)
             dot = 20 if index == 0 else 0
             self.setColumnWidth(index, min(max(heading, widest + dot), _WIDEST) + room)

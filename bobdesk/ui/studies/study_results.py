@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtGui import QPainter, QPalette
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -152,6 +152,7 @@ class StudyResults(QWidget):
         scroll = QScrollArea(self)
         scroll.setWidget(self.heat_view)
         scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        scroll.setBackgroundRole(QPalette.ColorRole.Base)
         self._heat_page = self._page(
             [(self.tr("Figure"), self.figure), (self.tr("Rows"), self.down), (self.tr("Columns"), self.across)], scroll
         )

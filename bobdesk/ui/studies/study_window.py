@@ -51,6 +51,7 @@ class StudyWindow(BesideWindow):
         self.summary = QLabel(self)
         self.summary.setWordWrap(True)
         self.summary.setTextFormat(Qt.TextFormat.PlainText)
+        self.summary.setContentsMargins(14, 0, 0, 0)  # as the form above it
         self.summary.setAccessibleName(self.tr("How many solves that makes"))
         self.copy_button = IconButton(
             self.tr("Copy table"), self.tr("Copy the table with tabs, for a spreadsheet"), "copy", self
