@@ -50,7 +50,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *ScaleActions(desk, window).table(),
         *SegmentActions(desk, window).table(),
         *SolveActions(desk, window, window.views, window).table(),
-        *StudyActions(desk, window.data_folder, window).table(),
+        *StudyActions(desk, window.beside, window).table(),
         *WindowActions(window, window).table(),
         *GuideActions(window.guide, window.plans, window).table(),
         *HelpActions(lambda: window.actions_by_name, desk.settings, window, updates_of(desk)).table(),

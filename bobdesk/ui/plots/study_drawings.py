@@ -18,21 +18,20 @@ _DIGITS = 4
 
 def figure_titles() -> dict[str, str]:
     """Return the figures' names with their units."""
-    tr = QCoreApplication.translate
     return dict(
         zip(
             FIGURES,
             (
-                tr("StudyDrawings", "Deviation of the length (%)"),
-                tr("StudyDrawings", "Deviation of the height difference (%)"),
-                tr("StudyDrawings", "Deviation of the mean gradient (%)"),
-                tr("StudyDrawings", "Error of the elevation, RMS (m)"),
-                tr("StudyDrawings", "Largest gradient (m/m)"),
-                tr("StudyDrawings", "Mean difference of curvatures (1/m)"),
-                tr("StudyDrawings", "Published objective J"),
-                tr("StudyDrawings", "Scale factor f"),
-                tr("StudyDrawings", "Iterations"),
-                tr("StudyDrawings", "Evaluations"),
+                QCoreApplication.translate("StudyDrawings", "Deviation of the length (%)"),
+                QCoreApplication.translate("StudyDrawings", "Deviation of the height difference (%)"),
+                QCoreApplication.translate("StudyDrawings", "Deviation of the mean gradient (%)"),
+                QCoreApplication.translate("StudyDrawings", "Error of the elevation, RMS (m)"),
+                QCoreApplication.translate("StudyDrawings", "Largest gradient (m/m)"),
+                QCoreApplication.translate("StudyDrawings", "Mean difference of curvatures (1/m)"),
+                QCoreApplication.translate("StudyDrawings", "Published objective J"),
+                QCoreApplication.translate("StudyDrawings", "Scale factor f"),
+                QCoreApplication.translate("StudyDrawings", "Iterations"),
+                QCoreApplication.translate("StudyDrawings", "Evaluations"),
             ),
             strict=True,
         )
@@ -41,16 +40,15 @@ def figure_titles() -> dict[str, str]:
 
 def axis_titles() -> dict[str, str]:
     """Return the axes' names."""
-    tr = QCoreApplication.translate
     return dict(
         zip(
             AXES,
             (
-                tr("StudyDrawings", "Plan"),
-                tr("StudyDrawings", "Number of segments"),
-                tr("StudyDrawings", "Height weight b"),
-                tr("StudyDrawings", "Method"),
-                tr("StudyDrawings", "Known elevations"),
+                QCoreApplication.translate("StudyDrawings", "Plan"),
+                QCoreApplication.translate("StudyDrawings", "Number of segments"),
+                QCoreApplication.translate("StudyDrawings", "Height weight b"),
+                QCoreApplication.translate("StudyDrawings", "Method"),
+                QCoreApplication.translate("StudyDrawings", "Known elevations"),
             ),
             strict=True,
         )
@@ -87,18 +85,21 @@ def _series(number: int, curve: Curve, at: np.ndarray, others: Sequence[str]) ->
 
 
 def _heat_cell(cell: PivotCell, low: float, high: float) -> HeatCell:
-    tr = QCoreApplication.translate
     worst = cell.worst
     lines = []
     if len(cell.numbers) > 1:
-        lines.append(tr("StudyDrawings", "Rows in this place: {count}; the one furthest from zero is shown").format(
-            count=len(cell.numbers)
-        ))  # fmt: skip
+        lines.append(
+            QCoreApplication.translate(
+                "StudyDrawings", "Rows in this place: {count}; the one furthest from zero is shown"
+            ).format(count=len(cell.numbers))
+        )
         lines.append("; ".join(number_text(number) for number in cell.numbers[:12]))
     if cell.failed:
-        lines.append(tr("StudyDrawings", "Could not be solved: {count}").format(count=cell.failed))
+        lines.append(
+            QCoreApplication.translate("StudyDrawings", "Could not be solved: {count}").format(count=cell.failed)
+        )
     if worst is None:
-        text = tr("StudyDrawings", "failed") if cell.failed else "–"
+        text = QCoreApplication.translate("StudyDrawings", "failed") if cell.failed else "–"
         return HeatCell(text, None, "\n".join(lines))
     share = 0.0 if high <= low else (abs(worst) - low) / (high - low)
     return HeatCell(number_text(worst), share, "\n".join(lines))
@@ -118,18 +119,21 @@ def _words(labels: Sequence[str], axes: Sequence[str]) -> list[str]:
 
 
 def _word(label: str, axis: str, *, short: bool = False) -> str:
-    tr = QCoreApplication.translate
     if axis == "segments":
         if label == AUTOMATIC:
-            return tr("StudyDrawings", "automatic")
-        return label if short else tr("StudyDrawings", "{count} segments").format(count=label)
+            return QCoreApplication.translate("StudyDrawings", "automatic")
+        return label if short else QCoreApplication.translate("StudyDrawings", "{count} segments").format(count=label)
     if axis == "height_weight" and label:
         number = QLocale().toString(float(label), "g", 6)
         return number if short else f"b = {number}"
     if axis == "known" and label == NO_SET:
-        return tr("StudyDrawings", "none known") if not short else tr("StudyDrawings", "none")
+        return (
+            QCoreApplication.translate("StudyDrawings", "none known")
+            if not short
+            else QCoreApplication.translate("StudyDrawings", "none")
+        )
     if axis == "known" and label and not short:
-        return tr("StudyDrawings", "known {elevations}").format(elevations=label)
+        return QCoreApplication.translate("StudyDrawings", "known {elevations}").format(elevations=label)
     return label
 
 

@@ -19,7 +19,9 @@ _MARGIN = 14
 
 
 class BesideWindow(QWidget):
-    """Stays when it is closed, so that it comes back with all that it shows; tells its own notices.
+    """A window of its own, which may lie before the main one or behind it.
+
+    It stays when it is closed, so that it comes back with all that it shows; tells its own notices.
 
     A subclass puts its parts into `column` between the notices and the job's bar.
 
@@ -27,13 +29,12 @@ class BesideWindow(QWidget):
     ----------
     name
         Under which its place is remembered.
-    parent
-        The main window, with which it ends.
     """
 
-    def __init__(self, name: str, title: str, size: QSize, desk: Desk, parent: QWidget | None) -> None:
-        super().__init__(parent, Qt.WindowType.Window)
+    def __init__(self, name: str, title: str, size: QSize, desk: Desk) -> None:
+        super().__init__()
         self.setObjectName(name)
+        self.setAttribute(Qt.WidgetAttribute.WA_QuitOnClose, False)
         self.setWindowTitle(title)
         self.setAccessibleName(title)
         notices = Notices(self)
@@ -72,6 +73,14 @@ class BesideWindow(QWidget):
         """End the job; what it has finished stays."""
         if self.job is not None:
             self.job.stop()
+
+    def leave(self) -> None:
+        """End the job and the window without a question: the main window closes."""
+        if self.job is not None:
+            self.job.stop()
+            self.job = None
+        self.close()
+        self.deleteLater()
 
     def question_before_stopping(self) -> tuple[str, str]:
         """Return what is asked before the window is closed on its job, and what becomes of it."""

@@ -16,7 +16,6 @@ _PERCENT_DIGITS = 4
 
 def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -> tuple[RowsColumn, ...]:
     """Return the columns; failed methods have figures in none."""
-    tr = QCoreApplication.translate
 
     def number(
         heading: str, tip: str, value: Callable[[MethodResult], float | None], show: Callable[[float], str]
@@ -42,43 +41,61 @@ def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -
 
     return (
         RowsColumn(
-            lambda: tr("MethodsColumns", "Method"), tr("MethodsColumns", "How the gradients were found"), title_of,
+            lambda: QCoreApplication.translate("MethodsColumns", "Method"),
+            QCoreApplication.translate("MethodsColumns", "How the gradients were found"),
+            title_of,
             is_number=False,
         ),
         number(
-            tr("MethodsColumns", "Objective J"),
-            tr("MethodsColumns", "The published objective, whatever the method itself makes small"),
+            QCoreApplication.translate("MethodsColumns", "Objective J"),
+            QCoreApplication.translate(
+                "MethodsColumns", "The published objective, whatever the method itself makes small"
+            ),
             lambda result: result.row.objective,
             lambda value: f"{value:.4g}".replace("-", "−"),
         ),
         number(
-            tr("MethodsColumns", "Length %"), tr("MethodsColumns", "Deviation of the length from its target"),
-            off("length"), percent,
+            QCoreApplication.translate("MethodsColumns", "Length %"),
+            QCoreApplication.translate("MethodsColumns", "Deviation of the length from its target"),
+            off("length"),
+            percent,
         ),
         number(
-            tr("MethodsColumns", "Drop %"),
-            tr("MethodsColumns", "Deviation of the height difference from its target"),
-            off("drop"), percent,
+            QCoreApplication.translate("MethodsColumns", "Drop %"),
+            QCoreApplication.translate("MethodsColumns", "Deviation of the height difference from its target"),
+            off("drop"),
+            percent,
         ),
         number(
-            tr("MethodsColumns", "Mean gradient %"),
-            tr("MethodsColumns", "Deviation of the mean gradient from its target, where it is one"),
-            off("mean_gradient"), percent,
+            QCoreApplication.translate("MethodsColumns", "Mean gradient %"),
+            QCoreApplication.translate(
+                "MethodsColumns", "Deviation of the mean gradient from its target, where it is one"
+            ),
+            off("mean_gradient"),
+            percent,
         ),
         number(
-            tr("MethodsColumns", "Iterations"), tr("MethodsColumns", "How many iterations it took"),
-            lambda result: result.row.iterations, whole,
+            QCoreApplication.translate("MethodsColumns", "Iterations"),
+            QCoreApplication.translate("MethodsColumns", "How many iterations it took"),
+            lambda result: result.row.iterations,
+            whole,
         ),
         number(
-            tr("MethodsColumns", "Evaluations"), tr("MethodsColumns", "How often the objective was worked out"),
-            lambda result: result.row.evaluations, whole,
+            QCoreApplication.translate("MethodsColumns", "Evaluations"),
+            QCoreApplication.translate("MethodsColumns", "How often the objective was worked out"),
+            lambda result: result.row.evaluations,
+            whole,
         ),
         number(
-            tr("MethodsColumns", "Time s"), tr("MethodsColumns", "Seconds on this computer"),
-            lambda result: result.row.seconds, lambda value: unit.number(value, 3),
+            QCoreApplication.translate("MethodsColumns", "Time s"),
+            QCoreApplication.translate("MethodsColumns", "Seconds on this computer"),
+            lambda result: result.row.seconds,
+            lambda value: unit.number(value, 3),
         ),
         RowsColumn(
-            lambda: tr("MethodsColumns", "End"), tr("MethodsColumns", "Why it ended"),
-            lambda result: result.row.message, is_number=False,
+            lambda: QCoreApplication.translate("MethodsColumns", "End"),
+            QCoreApplication.translate("MethodsColumns", "Why it ended"),
+            lambda result: result.row.message,
+            is_number=False,
         ),
-    )  # fmt: skip
+    )

@@ -44,8 +44,8 @@ def _compared(project: Project, titles: dict[str, str]) -> Generator[Progress, N
 class MethodsWindow(BesideWindow):
     """Runs the methods in a process of their own; the table grows row by row, and a row can become a run."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None) -> None:
-        super().__init__("methods_window", "", _FIRST_SIZE, desk, parent)
+    def __init__(self, desk: Desk) -> None:
+        super().__init__("methods_window", "", _FIRST_SIZE, desk)
         self.setWindowTitle(self.tr("Compare methods"))
         self.setAccessibleName(self.windowTitle())
         self.titles = method_titles()

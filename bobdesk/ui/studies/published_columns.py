@@ -17,21 +17,36 @@ _FIGURES = 3
 
 def published_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
     """Return the columns: the paper's row, its deviations, those of the published method here, and ours."""
-    tr = QCoreApplication.translate
     named = (
-        (tr("PublishedColumns", "Paper"), tr("PublishedColumns", "what the paper publishes")),
-        (tr("PublishedColumns", "Published"), tr("PublishedColumns", "the published method, run here")),
-        (tr("PublishedColumns", "pgd"), tr("PublishedColumns", "the recommended method")),
-    )
-    figures = (
-        (tr("PublishedColumns", "length %"), tr("PublishedColumns", "Deviation of the length from the actual track's")),
         (
-            tr("PublishedColumns", "drop %"),
-            tr("PublishedColumns", "Deviation of the height difference from the actual track's"),
+            QCoreApplication.translate("PublishedColumns", "Paper"),
+            QCoreApplication.translate("PublishedColumns", "what the paper publishes"),
         ),
         (
-            tr("PublishedColumns", "mean %"),
-            tr("PublishedColumns", "Deviation of the mean gradient (over the segments) from the actual track's"),
+            QCoreApplication.translate("PublishedColumns", "Published"),
+            QCoreApplication.translate("PublishedColumns", "the published method, run here"),
+        ),
+        (
+            QCoreApplication.translate("PublishedColumns", "pgd"),
+            QCoreApplication.translate("PublishedColumns", "the recommended method"),
+        ),
+    )
+    figures = (
+        (
+            QCoreApplication.translate("PublishedColumns", "length %"),
+            QCoreApplication.translate("PublishedColumns", "Deviation of the length from the actual track's"),
+        ),
+        (
+            QCoreApplication.translate("PublishedColumns", "drop %"),
+            QCoreApplication.translate(
+                "PublishedColumns", "Deviation of the height difference from the actual track's"
+            ),
+        ),
+        (
+            QCoreApplication.translate("PublishedColumns", "mean %"),
+            QCoreApplication.translate(
+                "PublishedColumns", "Deviation of the mean gradient (over the segments) from the actual track's"
+            ),
         ),
     )
 
@@ -55,7 +70,7 @@ def published_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
     scales = tuple(
         number(
             f"{named[1 + at][0]}\nf",
-            tr("PublishedColumns", "Scale factor that was found, where the plan has no scale"),
+            QCoreApplication.translate("PublishedColumns", "Scale factor that was found, where the plan has no scale"),
             _scale(at),
             4,
         )
@@ -63,31 +78,43 @@ def published_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
     )
     return (
         words(
-            tr("PublishedColumns", "Table"), tr("PublishedColumns", "Of the paper"),
+            QCoreApplication.translate("PublishedColumns", "Table"),
+            QCoreApplication.translate("PublishedColumns", "Of the paper"),
             lambda row: {
-                "segments": tr("PublishedColumns", "by segments"),
-                "height weight": tr("PublishedColumns", "by height weight"),
+                "segments": QCoreApplication.translate("PublishedColumns", "by segments"),
+                "height weight": QCoreApplication.translate("PublishedColumns", "by height weight"),
             }.get(row.row.table, row.row.table),
         ),
-        words(tr("PublishedColumns", "Track"), tr("PublishedColumns", "Which track"), lambda row: row.row.track),
-        number(
-            tr("PublishedColumns", "Segments"), tr("PublishedColumns", "How many segments"),
-            lambda row: row.row.segments, 0,
+        words(
+            QCoreApplication.translate("PublishedColumns", "Track"),
+            QCoreApplication.translate("PublishedColumns", "Which track"),
+            lambda row: row.row.track,
         ),
-        number("b", tr("PublishedColumns", "Height weight"), lambda row: row.row.height_weight, 1),
+        number(
+            QCoreApplication.translate("PublishedColumns", "Segments"),
+            QCoreApplication.translate("PublishedColumns", "How many segments"),
+            lambda row: row.row.segments,
+            0,
+        ),
+        number(
+            "b", QCoreApplication.translate("PublishedColumns", "Height weight"), lambda row: row.row.height_weight, 1
+        ),
         *deviations,
         *scales,
         RowsColumn(
-            lambda: tr("PublishedColumns", "Plan") + " " + unit.length_unit,
-            tr("PublishedColumns", "Length of the plan that was used; of the drawing, where it has no scale"),
+            lambda: QCoreApplication.translate("PublishedColumns", "Plan") + " " + unit.length_unit,
+            QCoreApplication.translate(
+                "PublishedColumns", "Length of the plan that was used; of the drawing, where it has no scale"
+            ),
             lambda row: unit.length(row.plan, 1, unit=False),
             lambda row: row.plan,
         ),
         words(
-            tr("PublishedColumns", "End of pgd"), tr("PublishedColumns", "What cannot be met, and by how much"),
+            QCoreApplication.translate("PublishedColumns", "End of pgd"),
+            QCoreApplication.translate("PublishedColumns", "What cannot be met, and by how much"),
             lambda row: _of(row, 1).message,
         ),
-    )  # fmt: skip
+    )
 
 
 def problem_of(row: ComparedRow) -> str:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QStackedWidget, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QStackedWidget
 
 from bobdesk.progress import Progress
 from bobdesk.ui.desk import Desk
@@ -41,8 +41,8 @@ def _remade(files: dict[str, Path]) -> Generator[Progress, None, tuple[ComparedR
 class PublishedWindow(BesideWindow):
     """One row for each of the paper's; real plans take the places of stand-ins."""
 
-    def __init__(self, desk: Desk, parent: QWidget | None = None) -> None:
-        super().__init__("published_window", "", _FIRST_SIZE, desk, parent)
+    def __init__(self, desk: Desk) -> None:
+        super().__init__("published_window", "", _FIRST_SIZE, desk)
         from bobdesk.ui.studies.published_columns import problem_of, published_columns
 
         self.setWindowTitle(self.tr("Published tables"))

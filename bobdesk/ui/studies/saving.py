@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import QCoreApplication
+
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
 
@@ -33,5 +35,5 @@ def save_file(window: BesideWindow, make: Callable[[], bytes], name: str, suffix
     except InputError as error:
         window.desk.notices.error(str(error))
         return False
-    window.desk.notices.note(window.tr("Written to {name}.").format(name=path.name))
+    window.desk.notices.note(QCoreApplication.translate("Saving", "Written to {name}.").format(name=path.name))
     return True

@@ -15,7 +15,6 @@ from bobdesk.ui.studies.rows_table import RowsColumn
 
 def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
     """Return the columns; a cell that failed has no figures."""
-    tr = QCoreApplication.translate
 
     def figure(heading: Callable[[], str], tip: str, column: str, show: Callable[[float], str]) -> RowsColumn:
         def text(row: Row) -> str:
@@ -35,14 +34,14 @@ def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
 
     def known(row: Row) -> str:
         text = value_of(row, "known")
-        return tr("StudyColumns", "none") if text == NO_SET else text
+        return QCoreApplication.translate("StudyColumns", "none") if text == NO_SET else text
 
     def status(row: Row) -> str:
         return {
-            "met": tr("StudyColumns", "met"),
-            "stopped": tr("StudyColumns", "stopped"),
-            "not met": tr("StudyColumns", "not met"),
-            "failed": tr("StudyColumns", "failed"),
+            "met": QCoreApplication.translate("StudyColumns", "met"),
+            "stopped": QCoreApplication.translate("StudyColumns", "stopped"),
+            "not met": QCoreApplication.translate("StudyColumns", "not met"),
+            "failed": QCoreApplication.translate("StudyColumns", "failed"),
         }.get(value_of(row, "status"), value_of(row, "status"))
 
     def segments(row: Row) -> str:
@@ -50,63 +49,107 @@ def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
         return found or label_of(row, "segments")
 
     return (
-        words(tr("StudyColumns", "Plan"), tr("StudyColumns", "Which plan"), lambda row: value_of(row, "plan")),
+        words(
+            QCoreApplication.translate("StudyColumns", "Plan"),
+            QCoreApplication.translate("StudyColumns", "Which plan"),
+            lambda row: value_of(row, "plan"),
+        ),
         RowsColumn(
-            lambda: tr("StudyColumns", "Segments"), tr("StudyColumns", "How many segments"), segments,
+            lambda: QCoreApplication.translate("StudyColumns", "Segments"),
+            QCoreApplication.translate("StudyColumns", "How many segments"),
+            segments,
             lambda row: int(segments(row)) if segments(row).isdecimal() else None,
         ),
         figure(
-            lambda: "b", tr("StudyColumns", "Height weight of the published objective"), "height_weight", number_text
-        ),
-        words(
-            tr("StudyColumns", "Method"), tr("StudyColumns", "How it was solved"), lambda row: value_of(row, "method")
-        ),
-        words(
-            tr("StudyColumns", "Known"), tr("StudyColumns", "Known elevations besides the plan's own"), known
-        ),
-        figure(
-            lambda: tr("StudyColumns", "Length %"),
-            tr("StudyColumns", "Deviation of the length from its target"), "length_percent", percent,
-        ),
-        figure(
-            lambda: tr("StudyColumns", "Drop %"),
-            tr("StudyColumns", "Deviation of the height difference from its target"), "drop_percent", percent,
-        ),
-        figure(
-            lambda: tr("StudyColumns", "Mean %"),
-            tr("StudyColumns", "Deviation of the mean gradient from its target"), "mean_gradient_percent", percent,
-        ),
-        figure(
-            lambda: tr("StudyColumns", "Max") + " " + unit.gradient_unit, tr("StudyColumns", "Largest gradient"),
-            "max_gradient", lambda value: unit.gradient(value, unit=False),
-        ),
-        figure(
-            lambda: tr("StudyColumns", "z RMS") + " " + unit.length_unit,
-            tr("StudyColumns", "Error of the elevation against the actual track"), "z_rms_m", length,
-        ),
-        figure(
-            lambda: tr("StudyColumns", "Objective J"), tr("StudyColumns", "The published objective"), "objective",
+            lambda: "b",
+            QCoreApplication.translate("StudyColumns", "Height weight of the published objective"),
+            "height_weight",
             number_text,
         ),
-        figure(lambda: "f", tr("StudyColumns", "Factor from the plan to true size"), "scale",
-               lambda value: unit.number(value, 5)),
+        words(
+            QCoreApplication.translate("StudyColumns", "Method"),
+            QCoreApplication.translate("StudyColumns", "How it was solved"),
+            lambda row: value_of(row, "method"),
+        ),
+        words(
+            QCoreApplication.translate("StudyColumns", "Known"),
+            QCoreApplication.translate("StudyColumns", "Known elevations besides the plan's own"),
+            known,
+        ),
         figure(
-            lambda: tr("StudyColumns", "Length") + " " + unit.length_unit, tr("StudyColumns", "3D length"), "length_m",
+            lambda: QCoreApplication.translate("StudyColumns", "Length %"),
+            QCoreApplication.translate("StudyColumns", "Deviation of the length from its target"),
+            "length_percent",
+            percent,
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Drop %"),
+            QCoreApplication.translate("StudyColumns", "Deviation of the height difference from its target"),
+            "drop_percent",
+            percent,
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Mean %"),
+            QCoreApplication.translate("StudyColumns", "Deviation of the mean gradient from its target"),
+            "mean_gradient_percent",
+            percent,
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Max") + " " + unit.gradient_unit,
+            QCoreApplication.translate("StudyColumns", "Largest gradient"),
+            "max_gradient",
+            lambda value: unit.gradient(value, unit=False),
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "z RMS") + " " + unit.length_unit,
+            QCoreApplication.translate("StudyColumns", "Error of the elevation against the actual track"),
+            "z_rms_m",
             length,
         ),
         figure(
-            lambda: tr("StudyColumns", "Drop") + " " + unit.length_unit, tr("StudyColumns", "Height difference"),
-            "drop_m", length,
+            lambda: QCoreApplication.translate("StudyColumns", "Objective J"),
+            QCoreApplication.translate("StudyColumns", "The published objective"),
+            "objective",
+            number_text,
         ),
         figure(
-            lambda: tr("StudyColumns", "Iterations"), tr("StudyColumns", "How many iterations it took"), "iterations",
+            lambda: "f",
+            QCoreApplication.translate("StudyColumns", "Factor from the plan to true size"),
+            "scale",
+            lambda value: unit.number(value, 5),
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Length") + " " + unit.length_unit,
+            QCoreApplication.translate("StudyColumns", "3D length"),
+            "length_m",
+            length,
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Drop") + " " + unit.length_unit,
+            QCoreApplication.translate("StudyColumns", "Height difference"),
+            "drop_m",
+            length,
+        ),
+        figure(
+            lambda: QCoreApplication.translate("StudyColumns", "Iterations"),
+            QCoreApplication.translate("StudyColumns", "How many iterations it took"),
+            "iterations",
             lambda value: unit.number(value, 0),
         ),
         figure(
-            lambda: tr("StudyColumns", "Evaluations"),
-            tr("StudyColumns", "How often the objective was worked out"), "evaluations",
+            lambda: QCoreApplication.translate("StudyColumns", "Evaluations"),
+            QCoreApplication.translate("StudyColumns", "How often the objective was worked out"),
+            "evaluations",
             lambda value: unit.number(value, 0),
         ),
-        words(tr("StudyColumns", "Targets"), tr("StudyColumns", "Whether the targets are met"), status),
-        words(tr("StudyColumns", "End"), tr("StudyColumns", "Why it ended"), lambda row: value_of(row, "message")),
-    )  # fmt: skip
+        words(
+            QCoreApplication.translate("StudyColumns", "Targets"),
+            QCoreApplication.translate("StudyColumns", "Whether the targets are met"),
+            status,
+        ),
+        words(
+            QCoreApplication.translate("StudyColumns", "End"),
+            QCoreApplication.translate("StudyColumns", "Why it ended"),
+            lambda row: value_of(row, "message"),
+        ),
+    )

@@ -36,8 +36,8 @@ class StudyWindow(BesideWindow):
         Where the rows of studies are kept.
     """
 
-    def __init__(self, desk: Desk, folder: Path, parent: QWidget | None = None) -> None:
-        super().__init__("study_window", "", _FIRST_SIZE, desk, parent)
+    def __init__(self, desk: Desk, folder: Path) -> None:
+        super().__init__("study_window", "", _FIRST_SIZE, desk)
         self.setWindowTitle(self.tr("Study"))
         self.setAccessibleName(self.windowTitle())
         self.setAcceptDrops(True)
