@@ -55,7 +55,9 @@ class PlanInput:
     wavelength
         Of the smoothing in force, m.
     scale_error
-        1 sigma of the plan's scale as a share, where a project's calibration says it, else 0.
+        1 sigma of the plan's scale as a share, where a project says it.
+    gradient_change
+        A project's largest change of the gradient per metre, 1/m, if it has one.
     actual : (n, 3) or None
         The line with its elevations, or a project's actual track, m, where there is one.
     """
@@ -68,7 +70,8 @@ class PlanInput:
     solver: SolverSettings
     vertices: int
     wavelength: float
-    scale_error: float
+    scale_error: float | None
+    gradient_change: float | None
     actual: FloatArray | None
 
 
@@ -145,10 +148,12 @@ def plan_and_segments(
     else:
         segments = _segments(path, found, centreline, count, threshold)
     solver = SolverSettings() if found.project is None else found.project.solver
-    scale_error = 0.0 if found.project is None else derive.scale_error(found.project)
+    scale_error = change = None
+    if found.project is not None:
+        scale_error, change = derive.scale_error(found.project), found.project.limits.gradient_change
     return PlanInput(
         centreline, segments, targets, factor, asked, solver, len(polyline.vertices), fit.wavelength, scale_error,
-        _actual(found),
+        change, _actual(found),
     )  # fmt: skip
 
 
