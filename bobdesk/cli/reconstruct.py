@@ -179,7 +179,8 @@ def _advice(given: PlanInput, solution: Solution, line: Centreline3D, change: fl
 def _advised(given: PlanInput, solution: Solution, advice: NextElevation) -> str:
     station = own_station(given, solution, advice)
     return (
-        f"one more known elevation would help most at {station:.0f} m of the plan: the band,"
+        f"one more known elevation would help most at {station:.0f} m of the plan: smooth profiles that the data allow"
+        f" spread by {advice.spread:.1f} m, with it by {advice.spread_after:.1f} m (root mean square), and the band,"
         f" {advice.band.mean_width:.1f} m wide on the mean, would be {advice.gain:.1f} m narrower"
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -48,20 +48,18 @@ def command(line: Path, rules_from: Path | None, output: Path | None, **options:
     second hand: their sources are said, and a file of your own takes their place.
     """
     check_outputs([output], inputs=[line, rules_from])
+    given = {name: value for name, value in options.items() if value is not None}
+    try:
+        check_sled(Sled(**given))
+    except InputError as error:
+        raise click.UsageError(str(error)) from error
+    own = None if rules_from is None else read_rules(rules_from)
     track, rules, sled = _read(line)
-    if rules_from is not None:
-        rules = read_rules(rules_from)
+    if own is not None:
+        rules = own
     elif rules is None:
         rules = read_rules(resource("rules", "design_rules.json"))
-    given = {name: value for name, value in options.items() if value is not None}
-    chosen = Sled(**({field.name: getattr(sled, field.name) for field in fields(sled)} | given))
-    try:
-        check_sled(chosen)
-    except InputError as error:
-        if given:
-            raise click.UsageError(str(error)) from error
-        raise
-    findings = judged(track, rules, chosen)
+    findings = judged(track, rules, replace(sled, **given))
     if output is not None:
         write_atomic(output, findings_table(findings))
     for found in findings:
@@ -85,11 +83,14 @@ def _read(path: Path) -> tuple[Centreline3D, tuple[Rule, ...] | None, Sled]:
 
 def _said(found: Finding) -> str:
     rule = found.rule
-    limits = " ".join(
+    asked = [
         f"{word} {_shown(value, rule.unit)}"
         for word, value in (("at least", rule.lowest), ("at most", rule.highest))
         if value is not None
-    )
+    ]
+    limits = " and ".join(asked)
+    if rule.lowest is not None and rule.lowest == rule.highest:
+        limits = f"{_shown(rule.lowest, rule.unit)} asked for"
     if found.verdict == "not judged" or found.value is None:
         said = f"not judged, {found.why}"
     else:

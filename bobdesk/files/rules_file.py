@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,9 @@ _GUESSES: tuple[tuple[str, str, Quantity], ...] = (
     ("g", "", "acceleration"),
     ("curves", "", "curves"),
 )
+# Likewise the stretch: "first 250 m", "start block: 15 m at 2 %"; that a second part begins at 250 m is an assumption.
+_FROM_START = re.compile(r"(?:first|start block:?)\s+(\d+(?:\.\d+)?)\s*m\b", re.IGNORECASE)
+_SECOND_PART, _SECOND_PART_BEGINS = "second part", 250.0
 
 
 class _RuleEntry(msgspec.Struct):
@@ -34,7 +38,7 @@ class _RuleEntry(msgspec.Struct):
     max: float | None = None
     source: str = ""
     quantity: str | None = None
-    from_m: float = 0.0
+    from_m: float | None = None
     to_m: float | None = None
     used: bool = True
 
@@ -47,8 +51,8 @@ class _RulesFile(msgspec.Struct):
 def read_rules(path: Path) -> tuple[Rule, ...]:
     """Read rules from JSON: `{"rules": [{"rule", "quantity", "min", "max", "unit", "from_m", "to_m", "source"}]}`.
 
-    Of these only `rule` and `unit` must be there; the quantity is one of `QUANTITIES`, or else follows from
-    the unit and the words of the rule.
+    Of these only `rule` and `unit` must be there; the quantity is one of `QUANTITIES`. It and the stretch follow
+    from the unit and the words of the rule where they are missing.
 
     Raises
     ------
@@ -134,9 +138,17 @@ def _rule(entry: _RuleEntry) -> Rule:
     quantity = _quantity(entry)
     if entry.unit != UNITS[quantity]:
         raise InputError(f'the rule "{entry.rule}" is about {quantity}: its unit must be {UNITS[quantity]}')
-    return check_rule(
-        Rule(entry.rule, quantity, entry.min, entry.max, entry.from_m, entry.to_m, entry.source, entry.used)
-    )
+    start, end = _stretch(entry)
+    return check_rule(Rule(entry.rule, quantity, entry.min, entry.max, start, end, entry.source, entry.used))
+
+
+def _stretch(entry: _RuleEntry) -> tuple[float, float | None]:
+    if entry.from_m is not None or entry.to_m is not None:
+        return entry.from_m or 0.0, entry.to_m
+    said = _FROM_START.search(entry.rule)
+    if said is not None:
+        return 0.0, float(said.group(1))
+    return (_SECOND_PART_BEGINS if _SECOND_PART in entry.rule.lower() else 0.0), None
 
 
 def _quantity(entry: _RuleEntry) -> Quantity:

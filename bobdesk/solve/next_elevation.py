@@ -30,10 +30,10 @@ class NextElevation:
     ----------
     stations : (n,)
         m, in true size.
-    errors : (n,)
+    spreads : (n,)
         Root mean square standard deviation of all elevations of the profiles that the data allow, if the elevation
         there were known, m.
-    error
+    spread
         The same as it is, m.
     band, band_after
         The envelope, limits of the gradient alone, as it is, and with an elevation known at the best station.
@@ -42,15 +42,15 @@ class NextElevation:
     """
 
     stations: FloatArray
-    errors: FloatArray
-    error: float
+    spreads: FloatArray
+    spread: float
     band: Envelope
     band_after: Envelope
     best: int
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "stations", frozen(self.stations))
-        object.__setattr__(self, "errors", frozen(self.errors))
+        object.__setattr__(self, "spreads", frozen(self.spreads))
 
     @property
     def station(self) -> float:
@@ -58,9 +58,9 @@ class NextElevation:
         return float(self.stations[self.best])
 
     @property
-    def error_after(self) -> float:
+    def spread_after(self) -> float:
         """The root mean square standard deviation with an elevation known there, m."""
-        return float(self.errors[self.best])
+        return float(self.spreads[self.best])
 
     @property
     def gain(self) -> float:
@@ -114,8 +114,8 @@ def next_elevation(
     taken = np.zeros(len(at))
     taken[unsure] = (together[:, unsure] ** 2 * cells[:, None]).sum(axis=0) / open_there[unsure]
     all_of_it = float((open_there * cells).sum())
-    errors = np.sqrt(np.maximum(all_of_it - taken, 0.0) / length)
-    best = int(errors.argmin())
+    spreads = np.sqrt(np.maximum(all_of_it - taken, 0.0) / length)
+    best = int(spreads.argmin())
     band = envelope(at / scale, anchors, targets, scale=scale)
     supposed = mean if estimate is None else np.interp(at, *estimate)
     measured = float(np.clip(supposed[best], band.lowest[best], band.highest[best]))
@@ -126,7 +126,7 @@ def next_elevation(
         np.maximum(band.lowest, measured - np.maximum(steep, flat)),
         np.minimum(band.highest, measured - np.minimum(steep, flat)),
     )
-    return NextElevation(at, errors, float(np.sqrt(all_of_it / length)), band, after, best)
+    return NextElevation(at, spreads, float(np.sqrt(all_of_it / length)), band, after, best)
 
 
 def _smooth_profiles(

@@ -47,14 +47,14 @@ class AdvicePart(Part):
         self.sentence.setVisible(self._open.wants_advice)
         if found is not None and current:
             text = self.tr(
-                "At {station}: elevations are likely to be off by {before}, with it by {after} (root mean square), and"
-                " the band, {width} wide on the mean, gets {gain} narrower."
+                "At {station}: the smooth profiles that are possible spread by {before} (root mean square), with it by"
+                " {after}; and the band, {width} wide on the mean, gets {gain} narrower."
             )
             self.sentence.setText(
                 text.format(
                     station=unit.length(self._own_station(), 0),
-                    before=unit.length(found.error),
-                    after=unit.length(found.error_after),
+                    before=unit.length(found.spread),
+                    after=unit.length(found.spread_after),
                     width=unit.length(found.band.mean_width),
                     gain=unit.length(found.gain),
                 )

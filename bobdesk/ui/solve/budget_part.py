@@ -14,6 +14,7 @@ from bobdesk.project.project import Project
 from bobdesk.track.error_budget import Share
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.solve.open_data import open_data_of
+from bobdesk.ui.solve.report_open_data import source_named
 from bobdesk.ui.solve.target_field import TargetField
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
 from bobdesk.ui.widgets.fold import Fold
@@ -47,7 +48,7 @@ class BudgetPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._shares), panel.refuse, parent=self)
         self.table = Table(self.tr("Error budget"), self.model, fewest_rows=3, most_rows=8, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("rounding of the length", "± 88.88", "± 8.888", "± 88.88", "± 88.88"))
+        self.table.fit_columns(("left open by the data", "± 8.88", "± 8.88", "± 8.88", "± 8.88"))
         inside.addWidget(self.table)
         self.sentence = panel.add_label("", "", inside)
         self.in_strips = QCheckBox(self.tr("Show the band in the strips"), self)
@@ -125,13 +126,13 @@ class BudgetPart(Part):
             return "–" if value == 0 else "± " + unit.length(value, digits, unit=False)
 
         def ratio(value: float) -> str:
-            return "–" if value == 0 else "± " + unit.number(100 * value, 3)
+            return "–" if value == 0 else "± " + unit.number(100 * value, 2 if 100 * value >= 0.1 else 3)
 
         return (
             Column(
                 lambda: self.tr("Source"),
                 self.tr("What the error comes from"),
-                lambda row: self._named(self._shares[row].source),
+                lambda row: source_named(self._shares[row].source),
                 is_number=False,
             ),
             Column(
@@ -157,18 +158,6 @@ class BudgetPart(Part):
                 ),
             ),
         )
-
-    def _named(self, source: str) -> str:
-        names = {
-            "digitising": self.tr("clicks or trace"),
-            "calibration": self.tr("calibration"),
-            "rounding of the length": self.tr("rounding of the length"),
-            "rounding of the drop": self.tr("rounding of the drop"),
-            "usual swing of the gradient": self.tr("usual swing of the gradient"),
-            "left open by the data": self.tr("left open by the data"),
-            "all together": self.tr("all together"),
-        }
-        return names.get(source, source)
 
     def _on_units(self) -> None:
         self.model.refresh_headings()

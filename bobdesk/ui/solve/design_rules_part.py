@@ -45,7 +45,7 @@ class DesignRulesPart(Part):
         self.table = Table(self.tr("Design rules"), self.model, fewest_rows=4, most_rows=12, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self.table.fit_columns(
-            ("x", "mean gradient, start to low", "88.88 km/h", "8,888", "8,888", "km/h", "88,888", "88,888", "x" * 60)
+            ("", "mean gradient, start", "! 8,888.8", "8,888.8", "8,888.8", "curves", "8,888", "8,888", "x" * 60)
         )
         self.column.addWidget(self.table)
         self.detail = panel.add_label("", "muted", self.column)
@@ -180,8 +180,8 @@ class DesignRulesPart(Part):
                 self._found,
                 marks=True,
             ),
-            limit(self.tr("At least"), self.tr("Smallest value; empty for none"), "lowest"),
-            limit(self.tr("At most"), self.tr("Largest value; empty for none"), "highest"),
+            limit(self.tr("Min."), self.tr("Smallest value; empty for none"), "lowest"),
+            limit(self.tr("Max."), self.tr("Largest value; empty for none"), "highest"),
             Column(
                 lambda: self.tr("Unit"),
                 self.tr("Unit of the limits"),

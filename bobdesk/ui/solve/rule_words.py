@@ -99,6 +99,17 @@ class RuleWords(QObject):
                 said += " " + self.stretches(found) + "."
         return f"{said} {self.said_of(rule)}"
 
+    def limits(self, rule: Rule) -> str:
+        """Return what a rule asks for, with its unit."""
+        low, high = rule.lowest, rule.highest
+        if low is None and high is None:
+            return self.tr("no limit yet")
+        if low == high:
+            return f"{self.value(rule, low)} {self.unit(rule)}"
+        asked = [f"≥ {self.value(rule, low)}"] if low is not None else []
+        asked += [f"≤ {self.value(rule, high)}"] if high is not None else []
+        return f"{', '.join(asked)} {self.unit(rule)}"
+
     def stretches(self, found: Finding) -> str:
         """Return where a rule is broken."""
         shown = [
