@@ -40,9 +40,7 @@ def test_what_is_promised_is_what_profiles_through_the_known_elevation_show():
     before = finish(sample_profiles(anchors, TARGETS, count=400, seed=7, largest_change=0.002))
     height = float(np.interp(found.station, before.stations, before.elevations.mean(axis=0)))
     targets = replace(TARGETS, known=(KnownElevation(found.station, height),))
-    after = finish(
-        sample_profiles(anchors_of(targets, 1000.0), targets, count=400, seed=8, largest_change=0.002)
-    )
+    after = finish(sample_profiles(anchors_of(targets, 1000.0), targets, count=400, seed=8, largest_change=0.002))
 
     def spread(bundle):
         return np.sqrt(np.trapezoid(bundle.elevations.var(axis=0), bundle.stations) / 1000.0)

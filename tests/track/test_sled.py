@@ -76,7 +76,9 @@ def test_against_a_solver_of_differential_equations():
 
     def change(_s, u):
         load = np.hypot(u * level**2 / radius, GRAVITY * level)
-        return 2 * GRAVITY * np.sin(angle) - 2 * sled.friction * load - sled.air_density * sled.drag_area / sled.mass * u
+        return (
+            2 * GRAVITY * np.sin(angle) - 2 * sled.friction * load - sled.air_density * sled.drag_area / sled.mass * u
+        )
 
     found = ride(line, sled)
     other = solve_ivp(change, (0, length / level), [100.0], rtol=1e-10, atol=1e-10)

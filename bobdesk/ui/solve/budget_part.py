@@ -48,7 +48,7 @@ class BudgetPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._shares), panel.refuse, parent=self)
         self.table = Table(self.tr("Error budget"), self.model, fewest_rows=3, most_rows=8, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("left open by the data", "± 8.88", "± 8.88", "± 8.88", "± 8.88"))
+        self.table.fit_columns(("rounding, length", "± 8.88", "± 0.888", "± 8.88", "± 8.88"))
         inside.addWidget(self.table)
         self.sentence = panel.add_label("", "", inside)
         self.in_strips = QCheckBox(self.tr("Show the band in the strips"), self)

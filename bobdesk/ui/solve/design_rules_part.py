@@ -45,7 +45,7 @@ class DesignRulesPart(Part):
         self.table = Table(self.tr("Design rules"), self.model, fewest_rows=4, most_rows=12, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self.table.fit_columns(
-            ("", "mean gradient, start", "! 8,888.8", "8,888.8", "8,888.8", "curves", "8,888", "8,888", "x" * 60)
+            ("", "acceleration in curves, to", "! 8,888.8", "8,888", "8,888", "curves", "8,888", "8,888", "x" * 60)
         )
         self.column.addWidget(self.table)
         self.detail = panel.add_label("", "muted", self.column)
@@ -143,7 +143,7 @@ class DesignRulesPart(Part):
             return Column(
                 lambda: heading,
                 tip,
-                lambda row: words.value(self._rules[row], getattr(self._rules[row], field)),
+                lambda row: words.limit(self._rules[row], getattr(self._rules[row], field)),
                 lambda row: words.to_edit(self._rules[row], getattr(self._rules[row], field)),
                 lambda row, text: self._change(row, **{field: words.typed(self._rules[row], text)}),
             )
@@ -186,7 +186,6 @@ class DesignRulesPart(Part):
                 lambda: self.tr("Unit"),
                 self.tr("Unit of the limits"),
                 lambda row: words.unit(self._rules[row]),
-                is_number=False,
             ),
             place(self.tr("From"), self.tr("Where the stretch begins"), "start"),
             place(self.tr("To"), self.tr("Where it ends; empty is the lowest point, or the finish"), "end"),

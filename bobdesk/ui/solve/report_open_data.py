@@ -20,7 +20,7 @@ def source_named(source: str) -> str:
         "rounding of the length": QCoreApplication.translate("ErrorBudget", "rounding, length"),
         "rounding of the drop": QCoreApplication.translate("ErrorBudget", "rounding, drop"),
         "usual swing of the gradient": QCoreApplication.translate("ErrorBudget", "usual swing"),
-        "left open by the data": QCoreApplication.translate("ErrorBudget", "left open by the data"),
+        "left open by the data": QCoreApplication.translate("ErrorBudget", "left open"),
         "all together": QCoreApplication.translate("ErrorBudget", "all together"),
     }
     return names.get(source, source)

@@ -43,6 +43,13 @@ class RuleWords(QObject):
         digits = {"m": 1, "gradient": 2, "km/h": 1, "g": 2, "curves": 0}[rule.unit]
         return self._unit.number(self._shown(rule, value), digits)
 
+    def limit(self, rule: Rule, value: float | None) -> str:
+        """Return a limit with as many decimal places as it is meant with, without its unit; "" for None."""
+        if value is None:
+            return ""
+        shown = f"{self._shown(rule, value):.6g}"
+        return self._unit.number(float(shown), len(shown.partition(".")[2]) if "e" not in shown else 0)
+
     def to_edit(self, rule: Rule, value: float | None) -> str:
         """Return a limit as it stands in a field."""
         return "" if value is None else number_to_edit(self._shown(rule, value), 8)
@@ -105,9 +112,9 @@ class RuleWords(QObject):
         if low is None and high is None:
             return self.tr("no limit yet")
         if low == high:
-            return f"{self.value(rule, low)} {self.unit(rule)}"
-        asked = [f"≥ {self.value(rule, low)}"] if low is not None else []
-        asked += [f"≤ {self.value(rule, high)}"] if high is not None else []
+            return f"{self.limit(rule, low)} {self.unit(rule)}"
+        asked = [f"≥ {self.limit(rule, low)}"] if low is not None else []
+        asked += [f"≤ {self.limit(rule, high)}"] if high is not None else []
         return f"{', '.join(asked)} {self.unit(rule)}"
 
     def stretches(self, found: Finding) -> str:

@@ -17,6 +17,8 @@ from bobdesk.ui.plan_view.strokes import pen
 from bobdesk.ui.solve.open_data import open_data_of
 from bobdesk.ui.theme import colours
 
+# On white paper and on photographs alike, as the handles of segments.
+_INK = "#22252b"
 _SIZE = 6.0
 _STRETCH = 9.0
 
@@ -49,7 +51,7 @@ class ElevationsLayer(DerivedLayer):
         if project.known_elevations:
             factor = derive.plan_factor(project)
             stations = factor * np.array([known.station for known in project.known_elevations])
-            self._draw_diamonds(painter, frame, line, stations, of.text)
+            self._draw_diamonds(painter, frame, line, stations, _INK)
         found = self._open.advice
         if found is not None:
             share = found.station / float(found.stations[-1])
@@ -61,7 +63,7 @@ class ElevationsLayer(DerivedLayer):
 
     def _draw_diamonds(self, painter: QPainter, frame: Frame, line: LineInPlan, stations: FloatArray, ink: str) -> None:
         painter.setPen(pen(ink, 1.6))
-        painter.setBrush(QColor(colours().base))
+        painter.setBrush(QColor(colours().vertex))
         for at in _at(frame, line, stations):
             if frame.sees(at):
                 x, y = at.x(), at.y()
