@@ -95,6 +95,9 @@ def one(theme: str, folder: Path) -> None:
         take(f"dialog-{name}", dialog)
         dialog.close()
         dialog.deleteLater()
+    for page in ("index.md", "first-track.md", "files.md"):
+        window.guide.open(page)
+        take(f"guide-{page.removesuffix('.md')}", window.guide.window)
     window.leave()
     QApplication.processEvents()
 
