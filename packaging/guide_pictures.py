@@ -258,7 +258,7 @@ def first_track(at: Photographer) -> None:
 
     at.do("export")
     at.rest(1.0)
-    at.take("first-export", *file_of_export(at), margin=10)
+    at.take("first-export", *file_of_export(at), margin=6)
 
 
 def finished_sample(at: Photographer) -> None:
@@ -286,7 +286,7 @@ def finished_sample(at: Photographer) -> None:
     at.do("in_space")
     at.do("export")
     at.rest(1.0)
-    at.take("export", *file_of_export(at), margin=10)
+    at.take("export", *file_of_export(at), margin=6)
 
 
 def part(at: Photographer, kind: str) -> object:

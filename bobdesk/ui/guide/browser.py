@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QTextBrowser, QTextEdit, QWidget
 
 from bobdesk.ui.guide.page_style import pictures_of, style_page
-from bobdesk.ui.guide.pages import Page, slug
+from bobdesk.ui.guide.pages import Page, keep_units, slug
 from bobdesk.ui.theme import colours
 
 # The pictures are taken at twice the size at which they are shown.
@@ -168,7 +168,7 @@ class GuideBrowser(QTextBrowser):
         document = self.document()
         document.clear()
         document.setDefaultFont(font)
-        document.setMarkdown(self._page.text)
+        document.setMarkdown(keep_units(self._page.text))
         style_page(document, self.text_size)
         self._fitted = (0.0, 0.0)
         self._fit()

@@ -19,7 +19,7 @@ from PySide6.QtGui import (
 
 from bobdesk import __version__
 from bobdesk.ui.guide.page_style import pictures_of, style_page
-from bobdesk.ui.guide.pages import Page
+from bobdesk.ui.guide.pages import Page, keep_units
 from bobdesk.ui.theme import on_paper
 
 _DPI = 96
@@ -51,7 +51,7 @@ def guide_pdf(pages: tuple[Page, ...], folder: Path, title: str) -> bytes:
     font.setPointSizeF(_TEXT_PT)
     document.setDefaultFont(font)
     document.setPageSize(size)
-    document.setMarkdown("\n\n".join(page.text for page in pages))
+    document.setMarkdown(keep_units("\n\n".join(page.text for page in pages)))
     with on_paper():
         style_page(document, _TEXT_PT)
     _fit_pictures(document, folder, size)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 from bobdesk.files.project_file import load_project
 from bobdesk.ui.guide.find import GuideFinder, words_of
 from bobdesk.ui.guide.guide_window import GuideWindow
-from bobdesk.ui.guide.pages import Page, read_pages, slug
+from bobdesk.ui.guide.pages import Page, keep_units, read_pages, slug
 from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.resources import resource
@@ -323,6 +323,10 @@ def test_a_missing_guide_is_said(qtbot, window, monkeypatch, tmp_path):
     monkeypatch.setattr(module, "resource", lambda *_parts: tmp_path)
     window.guide.open("index.md")
     assert said == ["The guide is missing from this installation of BobDesk; install it again."]
+
+
+def test_a_number_and_its_unit_stay_on_one_line():
+    assert keep_units("0.1 is 10 %. 8 m, 3 known") == "0.1 is 10\u00a0%. 8\u00a0m, 3 known"
 
 
 def test_names_of_headings_in_links():
