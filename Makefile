@@ -7,7 +7,7 @@ ARGS   ?=
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 export PYTHONWARNINGS =
 
-.PHONY: help setup demo run test lint benchmark screenshots guide-pictures soak clean
+.PHONY: help setup demo run test lint benchmark screenshots guide-pictures soak freeze clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## */  make \1\t/' | expand -t 20
@@ -49,6 +49,9 @@ guide-pictures: $(READY)  ## take the pictures of the user's guide anew, in reso
 soak: $(READY)  ## ten minutes of editing, saving, being killed, and of random gestures
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 300
 	@OPENBLAS_NUM_THREADS=1 QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.soak.random_gestures --seconds 300
+
+freeze: $(READY)  ## the program with all it needs in a folder of its own, dist/bobdesk
+	@$(BIN)/python packaging/freeze/freeze.py dist
 
 clean:  ## remove what the other commands made
 	rm -rf $(VENV) out build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

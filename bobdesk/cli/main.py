@@ -24,6 +24,7 @@ COMMANDS = {
     "published": "The paper's tables beside what our methods make of the same targets.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
+    "selftest": "Try out what is installed: open the window unseen, and reconstruct a sample.",
 }
 
 
@@ -71,11 +72,10 @@ def run(arguments: Sequence[str]) -> int:
     try:
         if wants_window(arguments, COMMANDS):
             return open_window(arguments[0] if arguments else None)
-        bobdesk.main(list(arguments), prog_name="bobdesk", standalone_mode=False)
+        # What a command ends with by `click.exceptions.Exit` comes back as a value.
+        status = bobdesk.main(list(arguments), prog_name="bobdesk", standalone_mode=False)
     except click.ClickException as error:
         return _failed(error.format_message(), WRONG_CALL)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
     except (click.Abort, KeyboardInterrupt) as stop:
         # A command that keeps what it has so far says so itself.
         return _failed(str(stop) or "stopped; nothing was written", 130)
@@ -87,7 +87,7 @@ def run(arguments: Sequence[str]) -> int:
         return _failed("there is not enough memory for this input", UNUSABLE_INPUT)
     except BrokenPipeError:
         return DONE
-    return DONE
+    return status if isinstance(status, int) else DONE
 
 
 def _failed(sentence: str, status: int) -> int:

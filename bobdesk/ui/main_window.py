@@ -83,8 +83,12 @@ class MainWindow(QMainWindow):
         self.layout_of_window.restore()
 
     def go_to(self, step: StepName) -> None:
-        """Show a step's panel."""
-        self.panels.show_step(step)
+        """Show a step's panel; the keyboard leaves the panel before, and no field takes it unasked."""
+        was_in_panel = self.panels.has_focus
+        is_another = self.panels.show_step(step)
+        view = self.views.currentWidget()
+        if is_another and was_in_panel and view is not None:
+            view.setFocus(Qt.FocusReason.OtherFocusReason)
         self.steps_bar.show_step(step)
         self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()

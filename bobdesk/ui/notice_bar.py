@@ -67,7 +67,7 @@ class NoticeRow(Banner):
 
     def renew(self) -> None:
         """Have the note's time begin again."""
-        if self.notice.weight == "note" and self.isVisible():
+        if self.notice.weight == "note" and not self.notice.stays and self.isVisible():
             self._timer.start()
 
     def rest(self) -> None:

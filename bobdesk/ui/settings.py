@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Literal, cast
 
@@ -78,6 +79,36 @@ class Settings(QObject):
     @autosave_minutes.setter
     def autosave_minutes(self, value: int) -> None:
         self._set("autosave_minutes", value)
+
+    @property
+    def asks_for_updates(self) -> bool:
+        """Whether a newer version is looked for by itself."""
+        return bool(self._store.value("updates/ask", False, type=bool))
+
+    @asks_for_updates.setter
+    def asks_for_updates(self, value: bool) -> None:
+        self._set("updates/ask", value)
+
+    @property
+    def updates_asked(self) -> float:
+        """When a newer version was looked for last, seconds since 1970; 0 for never."""
+        try:
+            return float(self._text("updates/asked"))
+        except ValueError:
+            return 0.0
+
+    @updates_asked.setter
+    def updates_asked(self, value: float) -> None:
+        self._store.setValue("updates/asked", str(math.floor(value)))
+
+    @property
+    def updates_told(self) -> str:
+        """The newer version that the user was told of last, "" for none."""
+        return self._text("updates/told")
+
+    @updates_told.setter
+    def updates_told(self, value: str) -> None:
+        self._store.setValue("updates/told", value)
 
     @property
     def recent(self) -> tuple[Path, ...]:

@@ -14,10 +14,11 @@ import numpy as np
 from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import line_from_paths
 from bobdesk.files.importers.imported_line import ImportedLine
+from bobdesk.files.process_start import START_S
 
 WORKER_ARGUMENT = "--dxf-worker"
 _LIMIT_BYTES = 200_000_000
-_TIME_LIMIT_S = 8.0
+_TIME_LIMIT_S = 8.0 + START_S
 
 
 def read_dxf(data: bytes, *, name: str) -> ImportedLine:
