@@ -59,8 +59,9 @@ class Machine:
             shutil.copy(library, self.drive / "windows" / "system32")
         self._environment["WINEDLLOVERRIDES"] += ";" + ";".join(f"{name}=n" for name in libraries)
         self._plain([SERVER, "-k"])
-        # Kept up, so that no program that is tried has to start it, and to hold its pipes.
+        # Wine's own processes are started here and kept up: they would hold the pipes of a program that starts them.
         self._plain([SERVER, "-p"])
+        self._plain([WINE, "wineboot"])
         self.run("reg", "add", r"HKCU\Software\Wine", "/v", "Version", "/d", "win10", "/f")
         for font in _FONTS:
             self.run("reg", "add", r"HKCU\Software\Wine\Fonts\Replacements", "/v", font, "/d", "DejaVu Sans", "/f")
