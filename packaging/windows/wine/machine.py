@@ -83,7 +83,7 @@ class Machine:
         """
         process = self.start(*command)
         try:
-            said = process.communicate(timeout=within)[0].decode("utf-8", "replace")
+            said = _read(process.communicate(timeout=within)[0])
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             raise TrialError(f"{command[0]} did not end within {within:g} s") from None
@@ -161,6 +161,13 @@ class Machine:
         if self._user is not None:
             for one in (path, *path.rglob("*")):
                 os.chown(one, self._user, self._user, follow_symlinks=False)
+
+
+def _read(said: bytes) -> str:
+    try:
+        return said.decode("utf-8")
+    except UnicodeDecodeError:
+        return said.decode("cp437")  # as Windows' own tools for the console write
 
 
 @contextmanager
