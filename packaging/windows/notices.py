@@ -9,29 +9,22 @@ from collections.abc import Iterable
 from importlib import metadata
 from pathlib import Path
 
-import make_notices
-import python_parts
-from house import HERE, HOUSE, identity
+from house import HERE, HOUSE, identity, make_notices, python_parts
 from interpreter import STEM
 from part import Part, text_of
 from wheels import INTERPRETER, sha256
 
-# Beside the packages. Name, licence, address, its text, and the file and the words in it that tell the version.
+_PRODUCT_VERSION = "ProductVersion".encode("utf-16le") + rb"\0*((?:[\d.]\0){5,})"
+# Beside the packages. Name, licence, address, its text, and a file and the words in it that tell the version; the parts
+# of Python that do not tell theirs are those of its version.
 _OTHERS = (
     ("OpenSSL", "Apache-2.0", "https://openssl.org", "Apache-2.0", "libcrypto-3.dll", rb"OpenSSL (\d+\.\d+\.\d+) "),
-    ("libffi", "MIT", "https://sourceware.org/libffi", "libffi", "", b""),
-    ("zlib", "Zlib", "https://zlib.net", "zlib", f"{STEM}.dll", rb"inflate (\d+\.\d+(?:\.\d+)?) Copyright"),
-    ("bzip2", "bzip2-1.0.6", "https://sourceware.org/bzip2", "bzip2", "_bz2.pyd", rb"(1\.0\.\d), \d+-\w+-20"),
     ("Expat", "MIT", "https://libexpat.github.io", "expat", "pyexpat.pyd", rb"expat_(\d+\.\d+\.\d+)"),
-    ("liblzma", "public domain", "https://tukaani.org/xz", "xz", "", b""),
-    (
-        "Microsoft Visual C++ runtime",
-        "see its text",
-        "https://visualstudio.microsoft.com",
-        "microsoft-runtime",
-        "",
-        b"",
-    ),
+    ("libffi", "MIT", "https://sourceware.org/libffi", "libffi", f"{STEM}.dll", _PRODUCT_VERSION),
+    ("zlib", "Zlib", "https://zlib.net", "zlib", f"{STEM}.dll", _PRODUCT_VERSION),
+    ("bzip2", "bzip2-1.0.6", "https://sourceware.org/bzip2", "bzip2", f"{STEM}.dll", _PRODUCT_VERSION),
+    ("liblzma", "public domain", "https://tukaani.org/xz", "xz", f"{STEM}.dll", _PRODUCT_VERSION),
+    ("Microsoft Visual C++", "see its text", "", "microsoft-runtime", "vcruntime140.dll", _PRODUCT_VERSION),
     ("mingw-w64 and libgcc", "public domain; GPL-3.0 with exception", "https://mingw-w64.org", "mingw-w64", "", b""),
     ("NSIS", "Zlib; LZMA: CPL-1.0", "https://nsis.sourceforge.io", "nsis", "", b""),
 )
@@ -64,21 +57,17 @@ def write_notices(tree: Path, downloads: Iterable[Path]) -> None:
 
 def parts(runtime: Path) -> list[Part]:
     """Return all works of others in the folder "runtime"."""
-    version = re.search(_utf16("ProductVersion") + rb"\0*((?:[\d.]\0){5,})", (runtime / f"{STEM}.dll").read_bytes())
-    if version is None:
-        raise SystemExit(f"{STEM}.dll does not tell its version")
-    found = [python_parts.python(version[1].decode("utf-16le"))]
+    python = _version(runtime / f"{STEM}.dll", _PRODUCT_VERSION)
+    found = [python_parts.python(python)]
     packages = metadata.distributions(path=[str(runtime / "site-packages")])
     found += sorted((_package(one) for one in packages if one.metadata["Name"] != identity.PROGRAM), key=_by_name)
     for name, licence, address, text, library, words in _OTHERS:
-        told = re.search(words, (runtime / library).read_bytes()) if library else None
-        if library and told is None:
-            raise SystemExit(f"{library} does not tell its version of {name}")
-        place = next(
-            one for one in (HERE / "licences", HOUSE / "resources" / "licences") if (one / f"{text}.txt").exists()
-        )
-        texts = ((f"{text}.txt", text_of(place / f"{text}.txt")),)
-        found.append(Part(name, told[1].decode("ascii") if told else "", licence, address, texts))
+        version = _version(runtime / library, words) if library else ""
+        if library == f"{STEM}.dll":
+            version = f"in Python {version}"
+        places = (HERE / "licences" / f"{text}.txt", HOUSE / "resources" / "licences" / f"{text}.txt")
+        texts = ((f"{text}.txt", text_of(next(place for place in places if place.exists()))),)
+        found.append(Part(name, version, licence, address, texts))
     return found
 
 
@@ -129,5 +118,8 @@ def _flat(name: str) -> str:
     return re.sub(r"[-_.]+", "_", name).lower()
 
 
-def _utf16(text: str) -> bytes:
-    return text.encode("utf-16le")
+def _version(library: Path, words: bytes) -> str:
+    told = re.search(words, library.read_bytes())
+    if told is None:
+        raise SystemExit(f"{library.name} does not tell its version")
+    return told[1].replace(b"\0", b"").decode("ascii")
