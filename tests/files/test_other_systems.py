@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from bobdesk.errors import InputError
-from bobdesk.files import atomic, study_run
+from bobdesk.files import atomic, processes
 from bobdesk.files.atomic import write_atomic
 from bobdesk.files.file_names import usable_name
 
@@ -75,16 +75,16 @@ def test_windows_gets_no_more_workers_than_it_can_wait_for(monkeypatch):
     asked = []
 
     class Executor:
-        def __init__(self, workers, mp_context):
+        def __init__(self, workers, **_options):
             asked.append(workers)
 
         def shutdown(self, **_options):
             pass
 
-    monkeypatch.setattr(study_run, "ProcessPoolExecutor", Executor)
+    monkeypatch.setattr(processes, "ProcessPoolExecutor", Executor)
     for platform in ("linux", "win32"):
-        monkeypatch.setattr(study_run.sys, "platform", platform)
-        with study_run.process_executor(128):
+        monkeypatch.setattr(processes.sys, "platform", platform)
+        with processes.process_executor(128):
             pass
     assert asked == [128, 61]
 
