@@ -131,12 +131,19 @@ def move_boundary(segments: Segments, boundary: int, station: float, *, shortest
     before, after = segments[boundary], segments[boundary + 1]
     _refuse_locked(before, boundary, "moved")
     _refuse_locked(after, boundary + 1, "moved")
-    room = min(shortest, before.length, after.length)
-    station = min(max(station, before.start + room), after.end - room)
+    first, last = boundary_range(segments, boundary, shortest=shortest)
+    station = min(max(station, first), last)
     if station == before.end:
         return segments
     pair = (replace(before, end=station, by_hand=True), replace(after, start=station, by_hand=True))
     return segments[:boundary] + pair + segments[boundary + 2 :]
+
+
+def boundary_range(segments: Segments, boundary: int, *, shortest: float = SHORTEST) -> tuple[float, float]:
+    """Return the first and the last station that a boundary can have; a segment that is too short grows only."""
+    before, after = segments[boundary], segments[boundary + 1]
+    room = min(shortest, before.length, after.length)
+    return before.start + room, after.end - room
 
 
 def flip_kind(segments: Segments, index: int) -> Segments:

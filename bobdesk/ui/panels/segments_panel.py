@@ -60,6 +60,7 @@ class SegmentsPanel(Panel):
         self._now.changed.connect(self.refresh)
         desk.selection.station_changed.connect(self._show_place)
         desk.selection.segments_changed.connect(self._show_place)
+        desk.selection.boundary_changed.connect(self._show_place)
         desk.quantities.changed.connect(self._show_place)
         self.refresh()
 
@@ -87,8 +88,15 @@ class SegmentsPanel(Panel):
 
     def _show_place(self) -> None:
         station, chosen = self.desk.selection.station, self._operations.chosen()
-        if len(self.desk.selection.segments) > 1:
-            text = self.tr("{count} segments selected").format(count=len(self.desk.selection.segments))
+        boundary, selected = self.desk.selection.boundary, self.desk.selection.segments
+        if boundary is not None and len(selected) != 1 and boundary < len(self._now.segments) - 1:
+            text = self.tr("Boundary at {station}, between segments {before} and {behind}").format(
+                station=self.desk.quantities.length(self._now.segments[boundary].end),
+                before=boundary + 1,
+                behind=boundary + 2,
+            )
+        elif len(selected) > 1:
+            text = self.tr("{count} segments selected").format(count=len(selected))
         elif station is None:
             text = self.tr("Nothing selected")
         elif chosen:

@@ -8,15 +8,17 @@ from dataclasses import replace
 from PySide6.QtCore import QObject
 
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segments, is_kept, segment_at
+from bobdesk.alignment.segments import Segments, boundary_range, is_kept, segment_at
 from bobdesk.errors import InputError
-from bobdesk.project import segment_edits
+from bobdesk.project import derive, segment_edits
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
-from bobdesk.ui.newest import Newest
 from bobdesk.ui.notices import Remedy
 from bobdesk.ui.segments.alignment import alignment_of
 from bobdesk.ui.segments.alignment_now import alignment_now
+from bobdesk.ui.segments.trial import Trial
+
+_AT_A_BOUNDARY = 1e-6
 
 
 class SegmentOperations(QObject):
@@ -26,11 +28,8 @@ class SegmentOperations(QObject):
         super().__init__(parent)
         self._desk = desk
         self._now = alignment_now(desk)
-        self._trial = Newest(desk.runner, self.tr("Finding the segments"), self)
-        self._trial.answered.connect(self._on_tried)
+        self._trial = Trial(desk, self)
         self._trial.failed.connect(self._on_trial_failed)
-        self._on_success: Callable[[object], None] | None = None
-        self._wanted: SegmentationSettings | None = None
         self._now.changed.connect(self._drop_lost_selection)
 
     @property
@@ -64,8 +63,21 @@ class SegmentOperations(QObject):
             selection.segments = range(first, last + 1)
         else:
             selection.segments = (index,)
+        selection.boundary = None
         if station is not None:
             selection.station = station
+
+    def select_boundary(self, boundary: int) -> None:
+        """Select a boundary: both segments at it are selected with it, and the cursor goes there."""
+        self._desk.selection.select_boundary(boundary)
+        self._desk.selection.station = self._now.segments[boundary].end
+
+    def select_nothing(self) -> bool:
+        """Deselect segments and boundary; return whether any were selected."""
+        selection = self._desk.selection
+        had = selection.boundary is not None or bool(selection.segments)
+        selection.boundary, selection.segments = None, ()
+        return had
 
     def select_next(self, by: int) -> None:
         """Go to a following segment (`by` 1) or one before (-1)."""
@@ -76,7 +88,6 @@ class SegmentOperations(QObject):
         chosen = self.chosen()
         at = (chosen[-1] if by > 0 else chosen[0]) + by if chosen else (0 if by > 0 else len(segments) - 1)
         at = min(max(at, 0), len(segments) - 1)
-        self._desk.selection.boundary = None
         self.select(at, station=0.5 * (segments[at].start + segments[at].end))
 
     def split(self) -> None:
@@ -88,6 +99,11 @@ class SegmentOperations(QObject):
             self._desk.notices.note(self.tr("Click on a strip or on the line first: the segment is split there."))
             return
         index = segment_at(self._now.segments, station)
+        if any(abs(one.end - station) < _AT_A_BOUNDARY for one in self._now.segments[:-1]):
+            self._desk.notices.note(
+                self.tr("There is a boundary here already; click inside a segment, and X splits it there.")
+            )
+            return
         if self._apply(self.tr("Split segment"), lambda project: segment_edits.split_segment(project, station)):
             self.select(index + 1)
             self._desk.selection.boundary = index
@@ -105,7 +121,6 @@ class SegmentOperations(QObject):
             return
         first, last = (chosen[0], chosen[-1]) if len(chosen) > 1 else self._with_neighbour(chosen[0])
         if self._apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
-            self._desk.selection.boundary = None
             self.select(first)
 
     def flip(self) -> None:
@@ -141,16 +156,23 @@ class SegmentOperations(QObject):
             self._desk.notices.note(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
             return
         if self._apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
-            self._desk.selection.boundary = None
             self.select(boundary)
 
     def move_boundary(self, boundary: int, station: float, *, key: str | None = None) -> bool:
-        """Move a boundary."""
-        return self._apply(
+        """Move a boundary; it stops where a segment would become too short. The cursor goes with a selected one."""
+        moved = self._apply(
             self.tr("Move boundary"),
             lambda project: segment_edits.move_boundary(project, boundary, station),
             key=key,
         )
+        if moved and self._desk.selection.boundary == boundary:
+            self._desk.selection.station = self._now.segments[boundary].end
+        return moved
+
+    def boundary_range(self, boundary: int) -> tuple[float, float]:
+        """Return the first and the last station that a boundary can have, m."""
+        shortest = segment_edits.shortest_by_hand(self._desk.session.project)
+        return boundary_range(self._now.segments, boundary, shortest=shortest)
 
     def nudge(self, by: float) -> bool:
         """Move the selected boundary on by so many metres; presses in a row are one step."""
@@ -158,7 +180,15 @@ class SegmentOperations(QObject):
         if boundary is None or boundary >= len(segments) - 1:
             return False
         if not self.refuse_locked(boundary):
-            self.move_boundary(boundary, segments[boundary].end + by, key=f"nudge boundary {boundary}")
+            before = segments[boundary].end
+            moved = self.move_boundary(boundary, before + by, key=f"nudge boundary {boundary}")
+            if moved and self._now.segments[boundary].end == before:
+                shortest = segment_edits.shortest_by_hand(self._desk.session.project)
+                self._desk.notices.note(
+                    self.tr(
+                        "The boundary can go no further: segment {number} would be shorter than {shortest}."
+                    ).format(number=boundary + (2 if by > 0 else 1), shortest=self._desk.quantities.length(shortest))
+                )
         return True
 
     def flip_one(self, index: int) -> bool:
@@ -179,7 +209,7 @@ class SegmentOperations(QObject):
 
     def take(self, segments: Segments, label: str) -> bool:
         """Take all segments from a file."""
-        self._desk.selection.boundary = None
+        self.select_nothing()
         return self._apply(label, lambda project: segment_edits.set_segments(project, segments))
 
     def refuse_locked(self, boundary: int) -> bool:
@@ -209,30 +239,46 @@ class SegmentOperations(QObject):
                 Remedy(self.tr("Back to automatic"), self.back_to_automatic),
             )
             return
-        self._try(
-            project,
-            lambda: segment_edits.detect_again(project),
-            lambda _found: self._apply(self.tr("Detect again"), segment_edits.detect_again),
-        )
+        self._trial.ask(project, lambda: _detected_again(project), lambda found: self._take_detected(project, found))
+
+    def _take_detected(self, project: Project, answer: object) -> None:
+        assert isinstance(answer, tuple)
+        (found, segments), before = answer, project.segments or ()
+        if found is not project:
+            self._apply(self.tr("Detect again"), lambda _project: found)
+        if segments != before:
+            return
+        kept = sum(is_kept(segment) for segment in before)
+        if kept:
+            text = self.tr(
+                "Nothing changed: {kept} of {count} segments are locked or made by hand and stay,"
+                " and with the same settings the others are found as they are."
+            )
+        else:
+            text = self.tr("Nothing changed: with the same settings all {count} segments are found as they are.")
+        remedy = (Remedy(self.tr("Back to automatic"), self.back_to_automatic),) if kept else ()
+        self._desk.notices.note(text.format(kept=kept, count=len(before)), *remedy)
 
     def back_to_automatic(self) -> None:
         """Give up all corrections; undo brings them back."""
         if self._desk.session.project.segments is None:
             self._desk.notices.note(self.tr("The segments are automatic already."))
             return
-        self._desk.selection.boundary = None
+        self.select_nothing()
         self._apply(self.tr("Back to automatic"), segment_edits.use_automatic_segments)
 
     def change_settings(self, **changes: object) -> None:
         """Change how segments are found: tried in the background, and kept if that works; changes merge."""
         project = self._desk.session.project
         # A change that is still being tried must not be lost to the next one.
-        base = self._wanted or project.segmentation
+        base = self._trial.wanted or project.segmentation
         settings: SegmentationSettings = replace(base, **changes)  # type: ignore[arg-type]
         if settings == base:
+            if self._now.is_preview:
+                self.drop_preview()
             return
         # The trial fills the memory of what is derived, so that the edit itself takes no time.
-        self._try(
+        self._trial.ask(
             project,
             lambda: _tried(project, settings),
             lambda _found: self._apply(
@@ -240,8 +286,8 @@ class SegmentOperations(QObject):
                 lambda before: segment_edits.set_segmentation(before, settings),
                 key="segmentation " + " ".join(sorted(changes)),
             ),
+            wanted=settings,
         )
-        self._wanted = settings
 
     def preview_threshold(self, threshold: float) -> None:
         """Show what another threshold would find, without changing the document."""
@@ -254,30 +300,14 @@ class SegmentOperations(QObject):
             if self._now.threshold is not None and self._now.is_preview:
                 self._now.preview(found, threshold=threshold)
 
-        self._try(project, lambda: _tried(project, settings), show)
+        self._trial.ask(project, lambda: _tried(project, settings), show)
 
     def drop_preview(self) -> None:
         """Show the document's segments again."""
         self._trial.drop()
-        self._on_success = self._wanted = None
         self._now.preview(None)
 
-    def _try(self, project: Project, function: Callable[[], object], then: Callable[[object], object]) -> None:
-        def on_success(found: object) -> None:
-            # What was tried on another document, or another line, is worth nothing.
-            if self._desk.session.project is project:
-                then(found)
-
-        self._on_success, self._wanted = on_success, None
-        self._trial.ask(function)
-
-    def _on_tried(self, found: object) -> None:
-        then, self._on_success, self._wanted = self._on_success, None, None
-        if then is not None:
-            then(found)
-
     def _on_trial_failed(self, sentence: str) -> None:
-        self._on_success = self._wanted = None
         self._now.preview(None)
         self._desk.notices.warn(sentence)
 
@@ -319,7 +349,8 @@ class SegmentOperations(QObject):
         if self._now.is_preview or not self._now.is_current:
             return
         selection, count = self._desk.selection, len(self._now.segments)
-        selection.segments = [index for index in selection.segments if index < count]
+        if selection.segments and selection.segments[-1] >= count:
+            selection.segments = [index for index in selection.segments if index < count]
         if selection.boundary is not None and selection.boundary >= count - 1:
             selection.boundary = None
 
@@ -339,3 +370,9 @@ def _tried(project: Project, settings: SegmentationSettings) -> Segments:
     if not alignment_of(project).segments:
         raise InputError("there are no segments")
     return alignment_of(segment_edits.set_segmentation(project, settings)).segments
+
+
+def _detected_again(project: Project) -> tuple[Project, Segments]:
+    """Return the project with its segments detected again, and these; called on a thread."""
+    found = segment_edits.detect_again(project)
+    return found, derive.segments(found).needed()
