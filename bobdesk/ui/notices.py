@@ -8,6 +8,8 @@ from typing import Literal
 
 from PySide6.QtCore import QObject, Signal
 
+from bobdesk.sentences import ended
+
 Weight = Literal["note", "warning", "error"]
 
 
@@ -57,5 +59,5 @@ class Notices(QObject):
             # the name of a file begins as it does
             is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
             first = sentence[0] if is_name else sentence[0].upper()
-            whole = first + sentence[1:] + ("" if sentence[-1] in ".!?…" else ".")
+            whole = first + ended(sentence[1:])
             self.told.emit(Notice(whole, weight, remedies))
