@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
@@ -10,6 +11,7 @@ from PySide6.QtCore import QObject, Signal
 
 from bobdesk.sentences import ended
 
+_NUMBERS_AND_QUOTES = re.compile(r"'[^']*'|[-−]?\d[\d.,’\u00a0\u202f]*(?<![.,])")
 Weight = Literal["note", "warning", "error"]
 
 
@@ -28,6 +30,11 @@ class Notice:
     sentence: str
     weight: Weight
     remedies: tuple[Remedy, ...] = ()
+
+    @property
+    def kind(self) -> tuple[Weight, str]:
+        """Equal for notices that say the same of other numbers or other typed text: the newest of them is enough."""
+        return self.weight, _NUMBERS_AND_QUOTES.sub("#", self.sentence)
 
 
 class Notices(QObject):
