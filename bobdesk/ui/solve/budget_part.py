@@ -177,7 +177,7 @@ class BudgetPart(Part):
         elif found is not None:
             text = found.sentence
         else:
-            text = self._open.problem("budget") or self.tr("A centreline comes first.")
+            text = (self._open.problem("budget") or self.tr("A centreline comes first")).rstrip(".") + "."
         self.sentence.setText(text[:1].upper() + text[1:])
 
     def _on_plan_error(self, shown: float | None) -> None:
