@@ -47,6 +47,7 @@ from bobdesk.project.run_edits import (
     keep_run,
     name_run,
     remove_run,
+    take_over_run,
 )
 from bobdesk.project.scale_edits import (
     add_check_distance,
@@ -179,6 +180,7 @@ __all__ = [
     "set_spacing",
     "set_start",
     "split_segment",
+    "take_over_run",
     "take_trace",
     "use_automatic_segments",
     "use_control_point",
