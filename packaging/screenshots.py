@@ -97,6 +97,9 @@ def one(theme: str, folder: Path) -> None:
         dialog.close()
         dialog.deleteLater()
     beside(window, take, work)
+    for page in ("index.md", "first-track.md", "files.md"):
+        window.guide.open(page)
+        take(f"guide-{page.removesuffix('.md')}", window.guide.window)
     window.leave()
     QApplication.processEvents()
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import signal
+import sys
 import threading
 from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
@@ -22,6 +23,7 @@ Result = TypeVar("Result")
 # More than a cluster has workers, and few enough to be looked through each time that one is done.
 _USUALLY_AHEAD = 500
 _LOOK_EVERY_S = 0.1
+_MOST_ON_WINDOWS = 61  # it can wait for no more processes at once
 
 
 def completed(
@@ -78,6 +80,8 @@ def process_executor(workers: int) -> Iterator[Executor]:
     # A forked child would share threads' locks with the window.
     context = multiprocessing.get_context("spawn")
     heard, held = context.Pipe(duplex=False)
+    if sys.platform == "win32":
+        workers = min(workers, _MOST_ON_WINDOWS)
     executor = ProcessPoolExecutor(workers, mp_context=context, initializer=_end_with, initargs=(heard,))
     try:
         yield executor
