@@ -1,11 +1,13 @@
 """What other systems do otherwise, made to happen on this one."""
 
+import io
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
+import ezdxf
 import pytest
 
 from bobdesk.errors import InputError
@@ -103,6 +105,20 @@ def test_a_worker_needs_no_streams_of_python(tmp_path):
         input=request, capture_output=True, env=environment, timeout=60, check=False,
     )  # fmt: skip
     assert done.stdout.startswith(b'{"error"')
+
+
+def test_reading_a_drawing_leaves_nothing_in_the_users_home(tmp_path):
+    drawing = ezdxf.new()
+    drawing.modelspace().add_polyline3d([(0, 0, 0), (100, 0, -5), (200, 50, -9)])
+    text = io.StringIO()
+    drawing.write(text)
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "HOME": str(tmp_path), "USERPROFILE": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-m", "bobdesk", "--dxf-worker"],
+        input=text.getvalue().encode(), capture_output=True, env=environment, timeout=60, check=False,
+    )  # fmt: skip
+    assert b'"starts"' in done.stdout
+    assert list(tmp_path.iterdir()) == []
 
 
 # Modules that one system alone has, and the guard that mypy and readers see.

@@ -10,7 +10,11 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
 import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 
@@ -25,7 +29,8 @@ def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
     request, answer = worker_streams()
     _limit_this_process()
-    from bobdesk.files.importers.dxf_entities import dxf_paths
+    with _without_fonts():
+        from bobdesk.files.importers.dxf_entities import dxf_paths
 
     data = request.read()
     try:
@@ -41,6 +46,21 @@ def main() -> int:
     answer.write(body.getbuffer())
     answer.close()
     return 0
+
+
+@contextlib.contextmanager
+def _without_fonts() -> Iterator[None]:
+    """Have ezdxf believe that it has looked at all fonts.
+
+    It would read every font of the system when it is imported for the first time, which takes longer than a drawing may,
+    and leave what it found in the user's home. Lines have no fonts.
+    """
+    with tempfile.TemporaryDirectory(prefix="bobdesk-") as folder:
+        known = Path(folder, "ezdxf", "font_manager_cache.json")
+        known.parent.mkdir()
+        known.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
+        os.environ["XDG_CACHE_HOME"] = folder
+        yield
 
 
 def _limit_this_process() -> None:
