@@ -52,8 +52,8 @@ def main() -> int:
 def _without_fonts() -> Iterator[None]:
     """Have ezdxf believe that it has looked at all fonts.
 
-    It would read every font of the system when it is imported for the first time, which takes longer than a drawing may,
-    and leave what it found in the user's home. Lines have no fonts.
+    It would read every font of the system when it is imported for the first time, which may take longer than a drawing
+    may, and leave what it found in the user's home. Lines have no fonts.
     """
     with tempfile.TemporaryDirectory(prefix="bobdesk-") as folder:
         known = Path(folder, "ezdxf", "font_manager_cache.json")
