@@ -258,7 +258,7 @@ def first_track(at: Photographer) -> None:
 
     at.do("export")
     at.rest(1.0)
-    at.take("first-export", window.panels.stack, margin=0)
+    at.take("first-export", *file_of_export(at), margin=6)
 
 
 def finished_sample(at: Photographer) -> None:
@@ -286,7 +286,7 @@ def finished_sample(at: Photographer) -> None:
     at.do("in_space")
     at.do("export")
     at.rest(1.0)
-    at.take("export", window.panels.stack, margin=0)
+    at.take("export", *file_of_export(at), margin=6)
 
 
 def part(at: Photographer, kind: str) -> object:
@@ -294,6 +294,11 @@ def part(at: Photographer, kind: str) -> object:
     from PySide6.QtWidgets import QWidget
 
     return next(one for one in at.window.findChildren(QWidget) if type(one).__name__ == kind and one.isVisible())
+
+
+def file_of_export(at: Photographer) -> tuple[object, ...]:
+    """Return what of the panel Export is about the file: from its format to the button that saves it."""
+    return at.field("Format"), at.field("Separators"), at.field("Preview of the file"), at.button("Copy")
 
 
 def below_each_other(*shots: object) -> object:

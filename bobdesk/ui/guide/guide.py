@@ -42,6 +42,11 @@ class Guide(QObject):
         self._settings, self._notices = settings, notices
         self._window: GuideWindow | None = None
 
+    @property
+    def window(self) -> GuideWindow | None:
+        """The window, once it was opened."""
+        return self._window
+
     def open_here(self) -> None:
         """Open the page that explains what has the keyboard, or else the step that is shown."""
         from bobdesk.ui.guide.context import place_in_guide
