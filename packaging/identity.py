@@ -33,6 +33,8 @@ VERSION = _from_program("__version__")
 # Reverse DNS, as AppStream and macOS want it. It must stay the same for ever once a version has been published.
 APP_ID = _from_program("APPLICATION_ID")
 
+DEVELOPER_ID = APP_ID.rpartition(".")[0]
+
 NAME = "BobDesk"  # shown to people
 PROGRAM = "bobdesk"  # typed and installed
 GENERIC_NAME = "Bobsleigh track reconstruction"
