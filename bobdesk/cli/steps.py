@@ -190,7 +190,8 @@ def _fitted(path: Path, polyline: Polyline, settings: FitSettings) -> Centreline
 def with_progress(job: Generator[Any, None, Result], doing: str) -> Result:
     """Pull a job to its end; a bar on stderr where that is a terminal and it takes over half a second."""
     started = shown = time.monotonic()
-    terminal = sys.stderr.isatty()
+    # A program with a window has no standard error on Windows.
+    terminal = sys.stderr is not None and sys.stderr.isatty()
     drawn = False
     count = 0
     while True:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import multiprocessing
+import sys
 import time
 from collections.abc import Generator, Iterator, Sequence
 from concurrent.futures import CancelledError, Executor, Future, ProcessPoolExecutor, as_completed
@@ -17,6 +18,7 @@ from bobdesk.progress import Progress
 from bobdesk.track.study import Task, failed_row, solve_task
 
 _DASK_WAITS = "10s"
+_MOST_ON_WINDOWS = 61  # it can wait for no more processes at once
 
 
 def run_study(
@@ -74,6 +76,8 @@ def process_executor(workers: int) -> Iterator[Executor]:
     """Start so many processes; leaving ends them, without waiting for cells that have not begun."""
     # A forked child would share threads' locks with the window.
     context = multiprocessing.get_context("spawn")
+    if sys.platform == "win32":
+        workers = min(workers, _MOST_ON_WINDOWS)
     executor = ProcessPoolExecutor(workers, mp_context=context)
     try:
         yield executor

@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
+from bobdesk.files.file_names import usable_name
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.widgets.long_names import breakable
 
@@ -108,7 +109,11 @@ class Questions(QObject):
         return Path(chosen)
 
     def file_to_save(self, purpose: str, title: str, name: str, filters: str, suffix: str) -> Path | None:
-        """Ask for a file to write; the suffix is added where it is missing, and overwriting is asked for."""
+        """Ask for a file to write; the suffix is added where it is missing, and overwriting is asked for.
+
+        A proposed `name` becomes one that every system takes, whatever the project is called.
+        """
+        name = usable_name(name.removesuffix(suffix), suffix)
         folder = self._settings.folder(purpose)
         proposed = str(Path(folder) / name) if folder else name
         dialog = QFileDialog(self._window, title, proposed, filters)

@@ -72,6 +72,11 @@ class StepsBar(QWidget):
         self._restyle()
         self._say()
 
+    @property
+    def shown(self) -> StepName:
+        """The step whose panel is shown."""
+        return self._shown
+
     def add_at_right(self, button: QToolButton, *, words: bool) -> None:
         """Add a button at the right end, such as Undo; `words` shows its text where there is room."""
         self._right.addWidget(button)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtWidgets import QStackedWidget, QWidget
+from PySide6.QtWidgets import QApplication, QStackedWidget, QWidget
 
 from bobdesk.project.steps import StepName
 from bobdesk.ui.actions.segment_actions import OF_SEGMENTS
@@ -43,16 +43,33 @@ class WindowPanels:
             "Export": self._export,
         }
 
-    def show_step(self, step: StepName) -> None:
-        """Show the panel of a step, and on the plan what it is about."""
+    @property
+    def has_focus(self) -> bool:
+        """Whether the keyboard is in a panel."""
+        return self._focus() is not None
+
+    def _focus(self) -> QWidget | None:
+        focus = QApplication.focusWidget()
+        return focus if focus is not None and self.stack.isAncestorOf(focus) else None
+
+    def show_step(self, step: StepName) -> bool:
+        """Show the panel of a step, and on the plan what it is about; return whether it is another panel than before.
+
+        What is typed and not taken yet goes to the panel that it was typed into.
+        """
+        before = self.stack.currentWidget()
+        focus = self._focus()
+        if focus is not None and step in self._makers and self._shown.get(step) is not before:
+            focus.clearFocus()
         self._view.show_step(step)
         if step not in self._makers:
-            return
+            return False
         if step not in self._shown:
             panel = self._makers[step]()
             self._shown[step] = panel
             self.stack.addWidget(panel)
         self.stack.setCurrentWidget(self._shown[step])
+        return self.stack.currentWidget() is not before
 
     def take_focus(self, step: StepName) -> None:
         """Give the keyboard to what a step is mostly entered for."""

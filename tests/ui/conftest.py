@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
+from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.notices import Notices
 from bobdesk.ui.plan_picture import PlanPicture
 from bobdesk.ui.quantities import Quantities
@@ -23,6 +24,8 @@ from bobdesk.ui.session import Session
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import apply_theme
 from tests.ui.answers import Answers
+
+SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_double" / "made_double.bobdesk"
 
 
 @pytest.fixture(autouse=True)
@@ -134,3 +137,20 @@ def said(desk: Desk) -> list[str]:
     sentences: list[str] = []
     desk.notices.told.connect(lambda notice: sentences.append(notice.sentence))
     return sentences
+
+
+@pytest.fixture
+def whole_window(qtbot: QtBot, tmp_path: Path, until: Callable[[Callable[[], bool]], None]) -> MainWindow:
+    """The main window with a finished track, active."""
+    made = MainWindow(Settings(tmp_path / "settings.ini"), tmp_path / "data")
+
+    def may_close(_window: QWidget) -> None:
+        made._may_close = True
+
+    qtbot.addWidget(made, before_close_func=may_close)
+    made.resize(1300, 900)
+    made.show()
+    made.activateWindow()
+    made.open_file(SAMPLE)
+    until(lambda: made.desk.session.is_open and not made.desk.runner.jobs and made.isActiveWindow())
+    return made

@@ -12,10 +12,14 @@ import io
 import json
 import os
 import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 
 from bobdesk.errors import InputError
+from bobdesk.files.worker_streams import worker_streams
 
 _MEMORY_BYTES = 900 * 2**20
 _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
@@ -23,12 +27,12 @@ _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
 
 def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print must not get into the answer
+    request, answer = worker_streams()
     _limit_this_process()
-    from bobdesk.files.importers.dxf_entities import dxf_paths
+    with _without_fonts():
+        from bobdesk.files.importers.dxf_entities import dxf_paths
 
-    data = sys.stdin.buffer.read()
+    data = request.read()
     try:
         paths, notes = dxf_paths(data)
     except InputError as error:
@@ -42,6 +46,21 @@ def main() -> int:
     answer.write(body.getbuffer())
     answer.close()
     return 0
+
+
+@contextlib.contextmanager
+def _without_fonts() -> Iterator[None]:
+    """Have ezdxf believe that it has looked at all fonts.
+
+    It would read every font of the system when it is imported for the first time, which may take longer than a drawing
+    may, and leave what it found in the user's home. Lines have no fonts.
+    """
+    with tempfile.TemporaryDirectory(prefix="bobdesk-") as folder:
+        known = Path(folder, "ezdxf", "font_manager_cache.json")
+        known.parent.mkdir()
+        known.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
+        os.environ["XDG_CACHE_HOME"] = folder
+        yield
 
 
 def _limit_this_process() -> None:

@@ -6,18 +6,20 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QLineEdit, QPlainTextEdit, QTextEdit
 
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.plans import Plans
 from bobdesk.ui.session import Session
+from bobdesk.ui.typing_undo import TypingUndo, text_field
 
 
 class EditActions(QObject):
-    """Undo and redo act on the text field that is being typed in first, then on the tool in mid-work.
+    """Undo and redo act on text that is being typed first, then on the tool in mid-work.
 
     Parameters
     ----------
+    typing
+        What is being typed.
     take_back
         Takes the last click of the tool back; returns whether there was one.
     in_work
@@ -28,6 +30,7 @@ class EditActions(QObject):
         self,
         session: Session,
         plans: Plans,
+        typing: TypingUndo,
         take_back: Callable[[], bool],
         in_work: Callable[[], bool],
         parent: QObject,
@@ -36,6 +39,7 @@ class EditActions(QObject):
         self._in_work = in_work
         self._session = session
         self._plans = plans
+        self._typing = typing
         self._take_back = take_back
 
     def table(self) -> tuple[Action, ...]:
@@ -50,7 +54,7 @@ class EditActions(QObject):
                 self.tr("Take the last step back"),
                 "Edit",
                 "undo",
-                enabled=lambda: self._session.undo_label is not None or self._in_work(),
+                enabled=lambda: self._session.undo_label is not None or self._in_work() or self._typing.is_typing,
                 context=True,
             ),
             Action(
@@ -62,7 +66,7 @@ class EditActions(QObject):
                 self.tr("Do again what was taken back"),
                 "Edit",
                 "undo",
-                enabled=lambda: self._session.redo_label is not None,
+                enabled=lambda: self._session.redo_label is not None or self._typing.is_typing,
                 context=True,
             ),
             Action(
@@ -79,34 +83,18 @@ class EditActions(QObject):
 
     def undo(self) -> None:
         """Take back what is being typed, or a click in mid-work, else the last step."""
-        if not (_undo_typing() or self._take_back()):
+        if not (self._typing.undo() or self._take_back()):
             self._session.undo()
 
     def redo(self) -> None:
-        """Do the last step again."""
-        self._session.redo()
+        """Type again what was taken back, else do the last step again."""
+        if not self._typing.redo():
+            self._session.redo()
 
     def paste(self) -> None:
         """Paste text where one is typing, else a plan."""
-        typed = _text_field()
+        typed = text_field()
         if typed is not None:
             typed.paste()
             return
         self._plans.paste(QGuiApplication.clipboard().mimeData())
-
-
-def _text_field() -> QLineEdit | QPlainTextEdit | QTextEdit | None:
-    focus = QApplication.focusWidget()
-    if isinstance(focus, (QLineEdit, QPlainTextEdit, QTextEdit)) and not focus.isReadOnly():
-        return focus
-    return None
-
-
-def _undo_typing() -> bool:
-    typed = _text_field()
-    if typed is None:
-        return False
-    can = typed.isUndoAvailable() if isinstance(typed, QLineEdit) else typed.document().isUndoAvailable()
-    if can:
-        typed.undo()
-    return can

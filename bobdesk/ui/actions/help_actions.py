@@ -50,9 +50,9 @@ class HelpActions(QObject):
             ),
             Action(
                 "shortcuts",
-                self.tr("&Shortcuts…"),
+                self.tr("&Keyboard shortcuts…"),
                 self.show_shortcuts,
-                ("F1", "?"),
+                ("?",),
                 "keyboard",
                 self.tr("Every action and its key, to look up and to change"),
                 menu="Help",

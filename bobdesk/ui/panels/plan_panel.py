@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import PurePath
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtGui import QFontMetrics
+from PySide6.QtGui import QFontMetrics, QTextCursor
 from PySide6.QtWidgets import QLineEdit, QPlainTextEdit, QWidget
 
 from bobdesk.project import edits
@@ -15,6 +15,7 @@ from bobdesk.ui.panels.actual_part import ActualPart
 from bobdesk.ui.panels.digitised_part import DigitisedPart
 from bobdesk.ui.panels.page_part import PagePart
 from bobdesk.ui.panels.plan_source_part import PlanSourcePart
+from bobdesk.ui.typing_undo import TAKES_EACH_LETTER
 from bobdesk.ui.widgets.panel import Panel
 
 _NOTES_LINES = 3
@@ -42,6 +43,7 @@ class PlanPanel(Panel):
         self.name = QLineEdit(self)
         self.name.setPlaceholderText(self.tr("such as the track's name"))
         self.add_field(form, self.tr("Name"), self.name, self.tr("What the project is called"))
+        self.name.setProperty(TAKES_EACH_LETTER, True)
         self.name.textEdited.connect(self._on_name)
         self.notes = QPlainTextEdit(self)
         self.notes.setTabChangesFocus(True)
@@ -49,6 +51,7 @@ class PlanPanel(Panel):
         lines = QFontMetrics(self.notes.font()).lineSpacing() * _NOTES_LINES
         self.notes.setFixedHeight(lines + round(2 * self.notes.document().documentMargin()) + 4)
         self.add_field(form, self.tr("Notes"), self.notes, self.tr("Free text, kept in the project"))
+        self.notes.setProperty(TAKES_EACH_LETTER, True)
         self.notes.textChanged.connect(self._on_notes)
         self.source = PlanSourcePart(self)
         flow = self.add_buttons()
@@ -91,6 +94,7 @@ class PlanPanel(Panel):
         if self.notes.toPlainText() != project.notes:
             with QSignalBlocker(self.notes):
                 self.notes.setPlainText(project.notes)
+                self.notes.moveCursor(QTextCursor.MoveOperation.End)
         if project.picture is not None:
             self.name.setPlaceholderText(PurePath(project.picture.name).stem)
         self.source.refresh(project)
@@ -101,14 +105,12 @@ class PlanPanel(Panel):
         self.actual.refresh(project)
 
     def _on_name(self, text: str) -> None:
-
         if text.strip() != self.desk.session.project.name:
             self.desk.session.apply(
                 self.tr("Name project"), lambda project: edits.name_project(project, text), key="name"
             )
 
     def _on_notes(self) -> None:
-
         text = self.notes.toPlainText()
         if text != self.desk.session.project.notes:
             self.desk.session.apply(

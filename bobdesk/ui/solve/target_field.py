@@ -35,7 +35,12 @@ class TargetField(NumberField):
         self._rest.setSingleShot(True)
         self._rest.setInterval(_REST_MS)
         self._rest.timeout.connect(self._try)
-        self.textEdited.connect(lambda _text: self._rest.start())
+        self._is_edited = False
+        self.textEdited.connect(self._on_edited)
+
+    def _on_edited(self) -> None:
+        self._is_edited = True
+        self._rest.start()
 
     def _read(self) -> float | None:
         return typed_number(self.text()) if self.text().strip() else None
@@ -48,11 +53,14 @@ class TargetField(NumberField):
         if value != self._value:
             self._value = value
             self.entered.emit(value)
+            # Taken: from here on Undo means the document, and what it shows comes into the field.
+            self.setModified(False)
 
     def _on_finished(self) -> None:
         self._rest.stop()
-        if not self.isModified():
+        if not self._is_edited:
             return
+        self._is_edited = False
         try:
             self._read()
         except InputError as error:

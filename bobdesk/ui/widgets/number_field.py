@@ -44,7 +44,7 @@ class NumberField(QLineEdit):
     def show_value(self, value: float | None, *, digits: int = 10) -> None:
         """Show a number with so many digits that count; what is being typed is left alone."""
         self._value = value
-        if not (self.hasFocus() and self.isModified()):
+        if not (self.hasFocus() and (self.isModified() or self._says(value))):
             self.setText(number_to_edit(value, digits))
             self.setModified(False)
 
@@ -66,6 +66,13 @@ class NumberField(QLineEdit):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LocaleChange:
             self.show_value(self._value)
+
+    def _says(self, value: float | None) -> bool:
+        """Return whether the text already means a number, in whatever way it was typed."""
+        try:
+            return bool(self.text().strip()) and typed_number(self.text()) == value
+        except InputError:
+            return False
 
     def _restore(self) -> None:
         self.setText(number_to_edit(self._value))

@@ -76,6 +76,28 @@ def test_data_grows_and_ends_at_the_last_iterate(inputs):
     assert set(SERIES) >= {"objective", "length", "drop", "optimality", "step", "scale"}
 
 
+def test_however_many_iterates_are_drawn_from_blocks_as_from_all_of_them(inputs):
+    objective = np.exp(np.random.default_rng(1).normal(size=40_000))
+    objective[[100, 12_345, 39_999]] = 1e9, 0.0, 1e-9
+    objective[20_000:20_200] = np.nan
+    data = ConvergenceData(inputs)
+    for start in range(0, 40_000, 777):
+        data.add(rows(objective)[start : start + 777])
+    for first, last in ((0, 40_000), (70, 39_000), (12_340, 12_350), (20_010, 20_100), (13, 39_999)):
+        logs = logarithms(objective[first:last])
+        drawn = logs[np.isfinite(logs) & (logs > NOTHING)]
+        expected = (drawn.min(), drawn.max()) if len(drawn) else None
+        assert data.range_of("objective", first, last) == expected
+    for columns in (100, 400):
+        x, y = data.curve("objective", 0, 40_000, columns)
+        assert len(x) <= 2 * columns
+        assert (np.diff(x) >= 0).all()
+        assert np.nanmin(y) == NOTHING
+        assert np.nanmax(y) == 9.0
+        peak = x[np.nanargmax(y)]
+        assert abs(peak - 100) <= 40_000 / columns + 64
+
+
 def test_zoom_holds_and_double_click_follows(qtbot, inputs):
     plot = ConvergencePlot()
     qtbot.addWidget(plot)
