@@ -48,8 +48,8 @@ AUTHORS = "The BobDesk authors"
 COPYRIGHT = "Copyright 2026 The BobDesk authors"
 LICENCE = "MIT"
 KEYWORDS = "bobsleigh;luge;skeleton;track;centreline;plan;simulation;"
-# Who answers for the packages, as "Name <address>"; whoever publishes them says so.
-MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", AUTHORS)
+# Who answers for the packages, as "Name <address>"; whoever publishes them says so. ".invalid" is nobody's for ever.
+MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", f"{AUTHORS} <authors@bobdesk.invalid>")
 
 # The file type of a project: a ZIP whose first entry is project.json. "x-": not registered with IANA.
 FILE_SUFFIX = "bobdesk"
