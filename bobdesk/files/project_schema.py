@@ -280,6 +280,24 @@ class ExportEntry(_Strict):
     spacing: float | None
 
 
+class DesignCurveEntry(_Strict):
+    """A DesignCurve."""
+
+    start: float
+    length: float
+    radius: float
+    side: Literal["left", "right"] | None
+    name: str
+
+
+class DesignEntry(_Strict):
+    """A DesignList."""
+
+    name: str
+    curves: list[DesignCurveEntry]
+    offset: float
+
+
 class Document(_Strict):
     """A Project."""
 
@@ -307,3 +325,4 @@ class Document(_Strict):
     chosen_run: int | None
     actual: ActualEntry | None
     export: ExportEntry | None = None
+    design: DesignEntry | None = None

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from bobdesk.alignment.design import DesignList
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments
@@ -219,6 +220,8 @@ class Project:
         The actual track for comparison.
     export
         How the result was exported last.
+    design
+        The designer's list of curves that the segments are compared with.
     """
 
     name: str = ""
@@ -243,6 +246,7 @@ class Project:
     chosen_run: int | None = None
     actual: ActualTrack | None = None
     export: ExportChoice = ExportChoice()
+    design: DesignList | None = None
 
     @property
     def targets(self) -> TargetSet:
