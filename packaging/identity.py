@@ -14,6 +14,8 @@ import re
 import shlex
 import subprocess
 import sys
+import time
+from email.utils import formatdate
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -82,9 +84,15 @@ def source_date_epoch() -> int:
 
 
 def values() -> dict[str, str]:
-    """Return all names above in capitals with their values, and SOURCE_DATE_EPOCH."""
+    """Return all names above in capitals with their values, and SOURCE_DATE_EPOCH, DATE and DATE_RFC."""
     found = {name: value for name, value in globals().items() if name.isupper() and isinstance(value, str)}
-    return found | {"SOURCE_DATE_EPOCH": str(source_date_epoch())}
+    date = source_date_epoch()
+    day = time.gmtime(date)
+    return found | {
+        "SOURCE_DATE_EPOCH": str(date),
+        "DATE": time.strftime("%Y-%m-%d", day),
+        "DATE_RFC": formatdate(date),
+    }
 
 
 def fill(template: str) -> str:

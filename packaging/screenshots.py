@@ -2,7 +2,8 @@
 
 usage: python packaging/screenshots.py [FOLDER]
 
-The pictures go to out/screenshots, or FOLDER; each theme and size is a program of its own.
+The pictures go to out/screenshots, or FOLDER; each theme and size is a program of its own. Studies are solved in
+processes, which begin by reading this file again.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pathlib import Path
 
 SAMPLES = Path(__file__).parent.parent / "resources" / "samples"
 STEPS = ("Plan", "Scale", "Centreline", "Segments", "Solve", "Export")
-LONGEST_JOB_S = 20.0
+LONGEST_JOB_S = 90.0
 
 
 def main() -> None:
@@ -98,8 +99,37 @@ def one(theme: str, folder: Path) -> None:
     for page in ("index.md", "first-track.md", "files.md"):
         window.guide.open(page)
         take(f"guide-{page.removesuffix('.md')}", window.guide.window)
+    beside(window, take, work)
     window.leave()
     QApplication.processEvents()
+
+
+def beside(window: object, take: Callable, work: Callable) -> None:
+    """Walk through the windows beside the main one: empty, and with what they are for."""
+    methods = window.beside.open("methods")
+    take("window-methods-empty", methods)
+    methods.compare()
+    work(lambda: not methods.is_running)
+    methods.table.choose(0)
+    take("window-methods", methods)
+    study = window.beside.open("study")
+    take("window-study-empty", study)
+    study.form.plans.add_files([SAMPLES / "mugello" / "mugello.csv"])
+    work(lambda: not study.form.plans.is_reading)
+    study.form.counts.setText("8-16:2, 400")
+    study.form.weights.setText("0.5; 1; 1.5")
+    study.solve()
+    work(lambda: len(study.results.rows) > 8)
+    take("window-study-at-work", study)
+    work(lambda: not study.is_running)
+    for page, name in enumerate(("table", "heat-map", "curves")):
+        study.results.pages.setCurrentIndex(page)
+        take(f"window-study-{name}", study)
+    published = window.beside.open("published")
+    take("window-published-empty", published)
+    published.solve()
+    work(lambda: not published.is_running)
+    take("window-published", published)
 
 
 def dialogs(window: object, home: Path) -> Iterator[tuple[str, object]]:

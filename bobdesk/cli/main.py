@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import io
+import sys
 from collections.abc import Sequence
 
 import click
@@ -69,6 +71,7 @@ def bobdesk() -> None:
 
 def run(arguments: Sequence[str]) -> int:
     """Run a command and return the exit status; every failure says one sentence on stderr."""
+    _say_what_can_be_said()
     try:
         if wants_window(arguments, COMMANDS):
             return open_window(arguments[0] if arguments else None)
@@ -88,6 +91,12 @@ def run(arguments: Sequence[str]) -> int:
     except BrokenPipeError:
         return DONE
     return status if isinstance(status, int) else DONE
+
+
+def _say_what_can_be_said() -> None:
+    """Let signs that a pipe's encoding has not (cp1252 has no "−") become question marks, not faults."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")
 
 
 def _failed(sentence: str, status: int) -> int:

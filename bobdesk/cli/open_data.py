@@ -10,7 +10,8 @@ from typing import Any
 import click
 
 from bobdesk.cli.options import FILE, combined
-from bobdesk.cli.steps import PlanInput, with_progress
+from bobdesk.cli.steps import with_progress
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import watched_methods
 from bobdesk.solve.settings import SolverSettings
 

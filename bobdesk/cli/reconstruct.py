@@ -23,11 +23,12 @@ from bobdesk.cli.options import (
 )
 from bobdesk.cli.reports import advice_report, own_station, run_report
 from bobdesk.cli.solver import solver_options, taken_solver_options
-from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, to_json, with_progress
+from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json, with_progress
 from bobdesk.cli.targets import taken_target_options
 from bobdesk.errors import TargetError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope

@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from bobdesk.alignment.segment_figures import segment_figures
-from bobdesk.cli.steps import PlanInput
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.solve.feasibility import Feasibility
 from bobdesk.solve.iterates import Solution
 from bobdesk.solve.next_elevation import NextElevation

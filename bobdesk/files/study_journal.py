@@ -12,7 +12,7 @@ from bobdesk.errors import InputError
 from bobdesk.files.atomic import reason
 
 if TYPE_CHECKING:
-    from bobdesk.track.study import Task
+    from bobdesk.track.study import Task, Unready
 
 Row = tuple[str, ...]
 _ENDING = ".unfinished"
@@ -82,10 +82,15 @@ class StudyJournal:
         self.path.unlink(missing_ok=True)
 
 
-def digest_of(tasks: Iterable[Task], version: str) -> str:
+def digest_of(tasks: Iterable[Task | Unready], version: str) -> str:
     """Return a fingerprint of all that the rows of these tasks depend on."""
+    from bobdesk.track.study import Unready
+
     found = hashlib.sha256(version.encode())
     for task in tasks:
+        if isinstance(task, Unready):
+            found.update(repr(task).encode())
+            continue
         rest = (task.cell, task.segments, task.targets, task.settings, task.factor)
         found.update(repr(rest).encode())
         found.update(task.centreline.points.tobytes())

@@ -40,6 +40,7 @@ from bobdesk.project.run_edits import (
     keep_run,
     name_run,
     remove_run,
+    take_over_run,
 )
 from bobdesk.project.scale_edits import (
     add_check_distance,
@@ -163,6 +164,7 @@ __all__ = [
     "set_spacing",
     "set_start",
     "split_segment",
+    "take_over_run",
     "take_trace",
     "use_automatic_segments",
     "use_control_point",

@@ -29,6 +29,7 @@ from bobdesk.ui.solving import solving_of
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
+from bobdesk.ui.studies.beside_windows import BesideWindows
 from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
@@ -62,6 +63,7 @@ class MainWindow(QMainWindow):
             settings=settings,
             quantities=Quantities(settings, self),
         )
+        self.beside = BesideWindows(self.desk, data_folder, self)
         self._may_close = False
         self._forget_copy = True
         self.questions = Questions(settings, self)
@@ -147,6 +149,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.guide.close()
+        self.beside.close()
         self.layout_of_window.remember()
         self.desk.runner.close()
         self.documents.close(forget_copy=self._forget_copy)

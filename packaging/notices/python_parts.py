@@ -57,7 +57,9 @@ def _texts(name: str) -> Iterator[tuple[str, str]]:
         yield shown, text_of(Path(path.locate()))
     for path in metadata.files(name) or ():
         if "sboms" in path.parts and path.suffix == ".json":
-            yield f"what was built into it, by {path.name}", _components(Path(path.locate()))
+            built_in = _components(Path(path.locate()))
+            if built_in:
+                yield f"what was built into it, by {path.name}", built_in
     if not wanted and name in _WITHOUT_TEXT:
         path = _LICENCES / f"{_WITHOUT_TEXT[name]}.txt"
         yield path.name, text_of(path)

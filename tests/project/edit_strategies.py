@@ -148,6 +148,7 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "set_known_elevations": lambda p, d: edits.set_known_elevations(p, [_known(d), _known(d)]),
     "set_solver": lambda p, d: edits.set_solver(p, _solver(d)),
     "keep_run": lambda p, d: edits.keep_run(p, full_project().runs[d(st.integers(0, 1))]),
+    "take_over_run": lambda p, d: edits.take_over_run(p, full_project().runs[d(st.integers(0, 1))]),
     "choose_export": lambda p, d: edits.choose_export(
         p,
         ExportChoice(

@@ -1,4 +1,4 @@
-"""Tables of what the data leave open: the error budget, its bands, and the methods side by side."""
+"""Tables of what the data leave open: the error budget, its bands, the methods side by side, studies."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.track.error_budget import ErrorBudget
 from bobdesk.track.method_comparison import MethodRow
+from bobdesk.track.study import STUDY_COLUMNS
 
 _FLAVOUR = FLAVOURS["default"]
 
@@ -59,6 +60,11 @@ def methods_table(rows: Sequence[MethodRow]) -> bytes:
     return to_csv(header, [_method_cells(row) for row in rows], _FLAVOUR)
 
 
+def study_table(rows: Sequence[Sequence[str]]) -> bytes:
+    """Return the rows of a study, one a cell."""
+    return to_csv(STUDY_COLUMNS, [[text_cell(cell, _FLAVOUR) for cell in row] for row in rows], _FLAVOUR)
+
+
 def _method_cells(row: MethodRow) -> list[str]:
     figures = [""] * 7
     if row.found is not None and row.off is not None:
@@ -73,4 +79,4 @@ def _method_cells(row: MethodRow) -> list[str]:
             f"{row.found.max_gradient:.6f}",
         ]
     effort = [str(row.iterations), str(row.evaluations), f"{row.seconds:.4f}"]
-    return [text_cell(row.method.key, _FLAVOUR), *figures, *effort, text_cell(row.message, _FLAVOUR)]
+    return [text_cell(row.method, _FLAVOUR), *figures, *effort, text_cell(row.message, _FLAVOUR)]

@@ -10,12 +10,12 @@ from __future__ import annotations
 import contextlib
 import io
 import json
-import os
 import sys
 
 import numpy as np
 
 from bobdesk.errors import InputError
+from bobdesk.files.worker_streams import worker_streams
 
 _MEMORY_BYTES = 900 * 2**20
 _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
@@ -23,12 +23,11 @@ _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
 
 def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print must not get into the answer
+    request, answer = worker_streams()
     _limit_this_process()
     from bobdesk.files.importers.dxf_entities import dxf_paths
 
-    data = sys.stdin.buffer.read()
+    data = request.read()
     try:
         paths, notes = dxf_paths(data)
     except InputError as error:

@@ -53,7 +53,6 @@ class ReportSaving(QObject):
         if project.run is None:
             return
         name = (project.name or self.tr("track")) + f"-{project.run.name}.{kind}"
-        name = name.replace("/", "-")
         path = self._questions.file_to_save("export", self.tr("Report"), name, f"{kind.upper()} (*.{kind})", f".{kind}")
         if path is not None:
             self.write(kind, path)
