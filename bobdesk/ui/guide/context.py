@@ -38,6 +38,9 @@ PAGE_OF_PART: dict[str, str] = {
     "RunsPart": "solve.md#several-runs",
     "FiguresPart": "solve.md#the-result",
     "ActualPart": "solve.md#beside-the-actual-track",
+    "MethodsWindow": "compare.md#compare-methods",
+    "StudyWindow": "compare.md#study",
+    "PublishedWindow": "compare.md#published-tables",
     "SpaceView": "solve.md#the-result-in-space",
 }
 
