@@ -7,7 +7,7 @@ ARGS   ?=
 export PIP_DISABLE_PIP_VERSION_CHECK = 1
 export PYTHONWARNINGS =
 
-.PHONY: help setup demo run test lint benchmark screenshots guide-pictures soak freeze clean
+.PHONY: help setup demo run test lint benchmark screenshots guide-pictures soak freeze windows clean
 
 help:  ## list the commands
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/^([a-z-]+):[^#]*## */  make \1\t/' | expand -t 20
@@ -52,6 +52,9 @@ soak: $(READY)  ## ten minutes of editing, saving, being killed, and of random g
 
 freeze: $(READY)  ## the program with all it needs in a folder of its own, dist/bobdesk
 	@$(BIN)/python packaging/freeze/freeze.py dist
+
+windows: $(READY)  ## setup.exe for Windows, made on Linux, in dist/
+	@$(BIN)/python packaging/windows/build.py
 
 clean:  ## remove what the other commands made
 	rm -rf $(VENV) out build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

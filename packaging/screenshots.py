@@ -96,10 +96,10 @@ def one(theme: str, folder: Path) -> None:
         take(f"dialog-{name}", dialog)
         dialog.close()
         dialog.deleteLater()
+    beside(window, take, work)
     for page in ("index.md", "first-track.md", "files.md"):
         window.guide.open(page)
         take(f"guide-{page.removesuffix('.md')}", window.guide.window)
-    beside(window, take, work)
     window.leave()
     QApplication.processEvents()
 

@@ -24,6 +24,7 @@ COMMANDS = {
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
     "study": "Solve plans in many ways: segment counts, weights, methods, known elevations.",
     "published": "The paper's tables beside what our methods make of the same targets.",
+    "rules": "Judge a 3D line by design rules, each with its source.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
     "selftest": "Try out what is installed: open the window unseen, and reconstruct a sample.",

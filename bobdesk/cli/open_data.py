@@ -32,7 +32,7 @@ open_data_options = combined(
         "--plan-error",
         type=click.FloatRange(0, 0.5),
         metavar="SHARE",
-        show_default="a project's calibration, else 0",
+        show_default="a project's own or its calibration's; else it counts as 0",
         help="1 sigma of the plan's scale for the error budget: 0.002 is 0.2 %.",
     ),
     click.option(

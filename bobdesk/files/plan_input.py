@@ -41,7 +41,9 @@ class PlanInput:
     wavelength
         Of the smoothing in force, m.
     scale_error
-        1 sigma of the plan's scale as a share, where a project's calibration says it, else 0.
+        1 sigma of the plan's scale as a share, where a project says it.
+    gradient_change
+        A project's largest change of the gradient per metre, 1/m, if it has one.
     actual : (n, 3) or None
         The line with its elevations, or a project's actual track, m, where there is one.
     """
@@ -54,7 +56,8 @@ class PlanInput:
     solver: SolverSettings
     vertices: int
     wavelength: float
-    scale_error: float
+    scale_error: float | None
+    gradient_change: float | None
     actual: FloatArray | None
 
 
@@ -103,10 +106,12 @@ def plan_input(
         segments = segments_in_force(found, centreline, count, threshold)
     project = found.project
     solver = SolverSettings() if project is None else project.solver
-    scale_error = 0.0 if project is None else derive.scale_error(project)
+    scale_error = change = None
+    if project is not None:
+        scale_error, change = derive.scale_error(project), project.limits.gradient_change
     return PlanInput(
         centreline, segments, targets, factor, asked, solver, len(polyline.vertices), fit.wavelength, scale_error,
-        _actual(found),
+        change, _actual(found),
     )  # fmt: skip
 
 

@@ -43,7 +43,9 @@ from bobdesk.project.runs import (
 )
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
+from bobdesk.track.design_rules import Rule, check_rule
 from bobdesk.track.figures import Figures
+from bobdesk.track.sled import Sled, check_sled
 
 Blobs = Callable[[str], bytes]
 Value = TypeVar("Value")
@@ -159,6 +161,9 @@ def _project(found: schema.Document, tables: _Tables) -> Project:
         chosen_run=found.chosen_run,
         actual=None if actual is None else ActualTrack(actual.name, np.array(actual.points).reshape(-1, 3)),
         export=ExportChoice() if found.export is None else _built(ExportChoice, found.export),
+        plan_error=found.plan_error,
+        rules=None if found.rules is None else tuple(check_rule(_built(Rule, rule)) for rule in found.rules),
+        sled=Sled() if found.sled is None else check_sled(_built(Sled, found.sled)),
     )
 
 

@@ -77,6 +77,8 @@ def _document(project: Project) -> schema.Document:
         runs=[_run(run) for run in project.runs],
         actual=None if actual is None else _actual(actual),
         export=_entry(schema.ExportEntry, project.export),
+        rules=None if project.rules is None else _entries(schema.RuleEntry, project.rules),
+        sled=_entry(schema.SledEntry, project.sled),
     )
 
 

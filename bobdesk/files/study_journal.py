@@ -6,7 +6,7 @@ import hashlib
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import reason
@@ -48,7 +48,7 @@ class StudyJournal:
         self._length = len(lines[0])
         for line in lines[1:]:
             entry = _parsed(line)
-            if not isinstance(entry, list) or len(entry) != 2 or not line.endswith(b"\n"):
+            if not (_is_entry(entry) and line.endswith(b"\n")):
                 break
             found[entry[0]] = tuple(entry[1])
             self._length += len(line)
@@ -99,9 +99,18 @@ def digest_of(tasks: Iterable[Task | Unready], version: str) -> str:
     return found.hexdigest()
 
 
-def _parsed(line: bytes) -> object:
+def _is_entry(entry: Any) -> bool:
+    return (
+        isinstance(entry, list)
+        and len(entry) == 2
+        and type(entry[0]) is int
+        and isinstance(entry[1], list)
+        and all(isinstance(cell, str) for cell in entry[1])
+    )
+
+
+def _parsed(line: bytes) -> Any:
     try:
-        parsed: object = json.loads(line)
+        return json.loads(line)
     except ValueError:
         return None
-    return parsed

@@ -15,7 +15,7 @@ from bobdesk.files.processes import completed, workers_lost
 from bobdesk.files.solvers import watched_methods
 from bobdesk.files.study_journal import Row, StudyJournal
 from bobdesk.progress import Progress
-from bobdesk.track.study import Task, Unready, failed_row, solve_task
+from bobdesk.track.study import STUDY_COLUMNS, Task, Unready, failed_row, solve_task
 
 _DASK_WAITS = "10s"
 
@@ -59,7 +59,7 @@ def run_study(
         If the workers are lost, or the journal cannot be written.
     """
     rows: dict[int, Row] = {} if journal is None else journal.finished()
-    rows = {number: row for number, row in rows.items() if number < len(tasks)}
+    rows = {number: row for number, row in rows.items() if 0 <= number < len(tasks) and len(row) == len(STUDY_COLUMNS)}
     kept = len(rows)
     worked = 0.0
     now = StudyProgress(kept / max(len(tasks), 1), f"{kept} of {len(tasks)} solved", kept, len(tasks), None, dict(rows))

@@ -43,7 +43,10 @@ class Newest(QObject):
         return self._job is not None
 
     def ask(self, function: Callable[[], Any]) -> None:
-        """Have `function` called on a thread; it must touch nothing of the window."""
+        """Have `function` called on a thread; it must touch nothing of the window.
+
+        Where it returns a generator, that is pulled to its end, and another question stops it between two steps.
+        """
         self._next = function
         if self._job is None:
             self._begin()
@@ -64,7 +67,10 @@ class Newest(QObject):
 
         def steps() -> Generator[Progress, None, Any]:
             yield Progress(0.0, title)
-            return function()
+            answer = function()
+            if isinstance(answer, Generator):
+                answer = yield from answer
+            return answer
 
         job = self._runner.start(title, steps, done=self._on_done, failed=self._on_failed)
         self._job = job

@@ -14,11 +14,12 @@ from bobdesk.track.study import STUDY_COLUMNS
 _FLAVOUR = FLAVOURS["default"]
 
 
-def budget_table(budget: ErrorBudget) -> bytes:
+def budget_table(budget: ErrorBudget, *, flavour: str = "default") -> bytes:
     """Return one row a source: half widths of 95 % bands."""
+    written = FLAVOURS[flavour]
     rows = [
         [
-            text_cell(share.source, _FLAVOUR),
+            text_cell(share.source, written),
             f"{share.plan_length:.4f}",
             f"{share.scale:.6f}",
             f"{share.elevation:.4f}",
@@ -26,7 +27,7 @@ def budget_table(budget: ErrorBudget) -> bytes:
         ]
         for share in budget.shares
     ]
-    return to_csv(("source", "plan_length_m", "scale", "elevation_rms_m", "gradient_rms"), rows, _FLAVOUR)
+    return to_csv(("source", "plan_length_m", "scale", "elevation_rms_m", "gradient_rms"), rows, written)
 
 
 def error_band_table(budget: ErrorBudget) -> bytes:

@@ -10,7 +10,11 @@ from __future__ import annotations
 import contextlib
 import io
 import json
+import os
 import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 
@@ -25,7 +29,8 @@ def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
     request, answer = worker_streams()
     _limit_this_process()
-    from bobdesk.files.importers.dxf_entities import dxf_paths
+    with _no_fonts():
+        from bobdesk.files.importers.dxf_entities import dxf_paths
 
     data = request.read()
     try:
@@ -41,6 +46,21 @@ def main() -> int:
     answer.write(body.getbuffer())
     answer.close()
     return 0
+
+
+@contextlib.contextmanager
+def _no_fonts() -> Iterator[None]:
+    """Tell ezdxf that there are no fonts, which lines do not need.
+
+    When it is loaded, it would look into every font of the computer, which takes longer than a drawing may where
+    there are thousands, and would leave what it found in the user's home.
+    """
+    with tempfile.TemporaryDirectory(prefix="bobdesk-", ignore_cleanup_errors=True) as folder:
+        cache = Path(folder) / "ezdxf" / "font_manager_cache.json"
+        cache.parent.mkdir()
+        cache.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
+        os.environ["XDG_CACHE_HOME"] = folder
+        yield
 
 
 def _limit_this_process() -> None:

@@ -26,6 +26,7 @@ from bobdesk.ui.studies.method_titles import method_titles
 from bobdesk.ui.studies.methods_columns import methods_columns
 from bobdesk.ui.studies.rows_table import RowsModel, RowsTable, dot_of
 from bobdesk.ui.studies.saving import save_file
+from bobdesk.ui.studies.wrapping_row import wrapping_row
 
 _FIRST_SIZE = QSize(1000, 720)
 # A comparison is of one problem: the settings of two kinds of methods are looked at.
@@ -165,11 +166,7 @@ class MethodsWindow(BesideWindow):
         column = QVBoxLayout(above)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table, 1)
-        buttons = QHBoxLayout()
-        for button in (self.copy_button, self.save_button, self.take_button):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        column.addLayout(buttons)
+        column.addWidget(wrapping_row(above, (self.copy_button, self.save_button, self.take_button)))
         below = QWidget(self)
         column = QVBoxLayout(below)
         column.setContentsMargins(0, 0, 0, 0)

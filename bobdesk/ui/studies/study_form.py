@@ -161,6 +161,7 @@ class StudyForm(Panel):
         self._cores = min(os.cpu_count() or 1, _MOST_WORKERS)
         self.workers = QSpinBox(self)
         self.workers.setRange(1, _MOST_WORKERS)
+        self.workers.setMinimumHeight(self.counts.sizeHint().height())
         self.add_field(form, self.tr("Processes"), self.workers, self.tr("How many cells are solved at the same time"))
         self.workers.valueChanged.connect(self._tell)
 

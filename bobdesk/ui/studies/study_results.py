@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QPainter, QPalette
+from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -17,14 +18,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from bobdesk.track.study_pivot import AXES, Row, figures_in, is_failed, value_of, varied
+from bobdesk.track.study_pivot import AXES, Row, is_failed, value_of
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.newest import Newest
 from bobdesk.ui.plots.chart import draw_chart
 from bobdesk.ui.plots.chart_view import ChartView, HeatMapView
-from bobdesk.ui.plots.heat_map import HeatMapLayout
-from bobdesk.ui.plots.study_drawings import axis_titles, chart, figure_titles, heat_map
+from bobdesk.ui.plots.heat_map import HeatMap, HeatMapLayout
+from bobdesk.ui.plots.study_drawings import axis_titles, figure_titles
 from bobdesk.ui.studies.rows_table import RowsModel, RowsTable
 from bobdesk.ui.studies.study_columns import study_columns
+from bobdesk.ui.studies.study_pictures import PictureChoice, StudyPicture, study_picture
+from bobdesk.ui.studies.wrapping_row import wrapping_row
 from bobdesk.ui.theme import on_paper
 
 _REDRAW_EVERY_MS = 400
@@ -75,6 +79,8 @@ class StudyResults(QWidget):
         self._clock.setSingleShot(True)
         self._clock.setInterval(_REDRAW_EVERY_MS)
         self._clock.timeout.connect(self._draw)
+        self._is_wanted_now = False
+        self._newest = Newest(desk.runner, self.tr("Drawing the study"), self)
         self._axes_chosen = False
         self._lay_out()
         self._connect()
@@ -119,22 +125,24 @@ class StudyResults(QWidget):
         """Return the picture that is shown, on paper, as the bytes of a .png or .svg."""
         from bobdesk.ui.plots.study_picture import picture_bytes, picture_font
 
-        draw: Callable[[QPainter], object]
+        choice = self._choice()
+        title = self._figure_now.currentText() if choice.is_heat_map else ""
+        drawing = study_picture(self._rows, choice, title=title).drawing
         with on_paper():
-            if self.pages.currentWidget() is self._heat_page:
-                figure = self.figure.currentData()
-                made = heat_map(self._rows, *self._axes(), figure, title=figure_titles()[figure])
-                laid_out = HeatMapLayout(made, picture_font())
+            if isinstance(drawing, HeatMap):
+                laid_out = HeatMapLayout(drawing, picture_font())
                 return picture_bytes(laid_out.draw, laid_out.size, kind, sharpness=_SHARPNESS)
-            figure = self.curve_figure.currentData()
-            drawn = chart(self._rows, self.over.currentData(), figure, title="")
             area = QRectF(0, 0, _CHART_SIZE.width(), _CHART_SIZE.height())
-            draw = lambda painter: draw_chart(painter, area, drawn)  # noqa: E731
+            draw = partial(draw_chart, whole=area, chart=drawing)
             return picture_bytes(draw, _CHART_SIZE, kind, sharpness=_SHARPNESS)
 
-    def _axes(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        down, across = self.down.currentData(), self.across.currentData()
-        return (down,), () if across == down else (across,)
+    @property
+    def _figure_now(self) -> QComboBox:
+        return self.figure if self.pages.currentWidget() is self._heat_page else self.curve_figure
+
+    def _choice(self) -> PictureChoice:
+        axes = [combo.currentData() if self._axes_chosen else "" for combo in (self.down, self.across, self.over)]
+        return PictureChoice(self.pages.currentWidget() is self._heat_page, self._figure_now.currentData(), *axes)
 
     def _combo(self, name: str, tip: str) -> QComboBox:
         combo = QComboBox(self)
@@ -172,32 +180,40 @@ class StudyResults(QWidget):
 
     def _page(self, fields: Sequence[tuple[str, QComboBox]], picture: QWidget) -> QWidget:
         page = QWidget(self)
-        row = QHBoxLayout()
-        row.setSpacing(6)
+        pairs = []
         for text, combo in fields:
-            label = QLabel(text, page)
+            pair = QWidget(page)
+            label = QLabel(text, pair)
             label.setBuddy(combo)
+            row = QHBoxLayout(pair)
+            row.setContentsMargins(0, 0, 8, 0)
             row.addWidget(label)
             row.addWidget(combo)
-            row.addSpacing(8)
-        row.addStretch(1)
+            pairs.append(pair)
         column = QVBoxLayout(page)
-        column.addLayout(row)
+        column.addWidget(wrapping_row(page, pairs))
         column.addWidget(picture, 1)
         return page
 
     def _connect(self) -> None:
-        for combo in (self.figure, self.down, self.across, self.curve_figure, self.over):
-            combo.activated.connect(self._on_combo)
+        for combo in (self.figure, self.curve_figure):
+            combo.activated.connect(self._draw_now)
+        for combo in (self.down, self.across, self.over):
+            combo.activated.connect(self._on_axis)
+        self._newest.answered.connect(self._show_picture)
         self.pages.currentChanged.connect(self._on_page)
         self._desk.quantities.changed.connect(self._on_units)
 
-    def _on_combo(self) -> None:
+    def _on_axis(self) -> None:
         self._axes_chosen = True
+        self._draw_now()
+
+    def _draw_now(self) -> None:
+        self._is_wanted_now = True
         self._draw()
 
     def _on_page(self) -> None:
-        self._draw()
+        self._draw_now()
         self.page_changed.emit()
 
     def _on_units(self) -> None:
@@ -210,39 +226,42 @@ class StudyResults(QWidget):
 
     def _draw(self) -> None:
         self._clock.stop()
-        if not self._rows:
+        rows, choice = self._rows, self._choice()
+        if not rows:
+            self._newest.drop()
             self.heat_view.show_map(None)
             self.chart_view.show_chart(None)
+        elif self.pages.currentWidget() is self.table:
+            self._newest.drop()
+        elif self._newest.is_busy and not self._is_wanted_now:
+            # One that is being worked out is shown first, or rows that keep coming would leave none.
+            self._later()
+        else:
+            self._is_wanted_now = False
+            self._newest.ask(lambda: study_picture(rows, choice))
+
+    def _show_picture(self, picture: StudyPicture) -> None:
+        choice = picture.choice
+        if not self._rows or choice.is_heat_map != (self.pages.currentWidget() is self._heat_page):
             return
-        self._offer_figures()
-        if not self._axes_chosen:
-            self._choose_axes()
-        if self.pages.currentWidget() is self._heat_page:
-            figure = self.figure.currentData()
-            self.heat_view.show_map(heat_map(self._rows, *self._axes(), figure, title=""))
-        elif self.pages.currentWidget() is self._curves_page:
-            figure = self.curve_figure.currentData()
-            self.chart_view.show_chart(chart(self._rows, self.over.currentData(), figure, title=""))
-
-    def _offer_figures(self) -> None:
-        """Offer the figures that any row has, and keep the chosen one if it is among them."""
-        there = figures_in(self._rows) or tuple(figure_titles())
         for combo in (self.figure, self.curve_figure):
-            if [combo.itemData(at) for at in range(combo.count())] == list(there):
-                continue
-            chosen = combo.currentData()
-            with QSignalBlocker(combo):
-                combo.clear()
-                for figure in there:
-                    combo.addItem(figure_titles()[figure], figure)
-                combo.setCurrentIndex(max(combo.findData(chosen), 0))
-
-    def _choose_axes(self) -> None:
-        """Show what is varied, until the user chooses."""
-        there = varied(self._rows)
-        order = [axis for axis in ("segments", "plan", "known", "height_weight") if axis in there]
-        down = order[0] if order else "segments"
-        across = "method" if "method" in there else next((axis for axis in order if axis != down), "method")
-        over = next((axis for axis in ("segments", "height_weight", "known", "plan") if axis in there), "segments")
-        for combo, axis in ((self.down, down), (self.across, across), (self.over, over)):
+            self._offer(combo, picture.figures)
+        with QSignalBlocker(self._figure_now):
+            self._figure_now.setCurrentIndex(max(0, self._figure_now.findData(choice.figure)))
+        for combo, axis in ((self.down, choice.down), (self.across, choice.across), (self.over, choice.over)):
             combo.setCurrentIndex(AXES.index(axis))
+        if isinstance(picture.drawing, HeatMap):
+            self.heat_view.show_map(picture.drawing)
+        else:
+            self.chart_view.show_chart(picture.drawing)
+
+    def _offer(self, combo: QComboBox, figures: Sequence[str]) -> None:
+        """Offer the figures that any row has, and keep the chosen one if it is among them."""
+        if [combo.itemData(at) for at in range(combo.count())] == list(figures):
+            return
+        chosen = combo.currentData()
+        with QSignalBlocker(combo):
+            combo.clear()
+            for figure in figures:
+                combo.addItem(figure_titles()[figure], figure)
+            combo.setCurrentIndex(max(combo.findData(chosen), 0))

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QHideEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSplitter, QVBoxLayout, QWidget
 
 from bobdesk.errors import InputError
 from bobdesk.files.study_journal import Row
@@ -23,8 +24,12 @@ from bobdesk.ui.studies.study_choice import SETTING, from_text, to_text
 from bobdesk.ui.studies.study_form import StudyForm
 from bobdesk.ui.studies.study_job import StudyOrder, study_steps
 from bobdesk.ui.studies.study_results import StudyResults
+from bobdesk.ui.studies.wrapping_row import wrapping_row
 
 _FIRST_SIZE = QSize(1180, 760)
+_TAKE_EVERY_S = 0.1
+# Of the window's time, what rows that keep coming may take.
+_SHARE = 0.1
 
 
 class StudyWindow(BesideWindow):
@@ -46,6 +51,7 @@ class StudyWindow(BesideWindow):
         self._progress: StudyProgress | None = None
         self._kept = 0
         self._ended = ""
+        self._next_take = 0.0
         self.form = StudyForm(self.desk, self.questions, self)
         self.results = StudyResults(self.desk, self)
         self.summary = QLabel(self)
@@ -158,12 +164,8 @@ class StudyWindow(BesideWindow):
         column = QVBoxLayout(right)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.results, 1)
-        buttons = QHBoxLayout()
-        for button in (self.copy_button, self.csv_button, self.png_button, self.svg_button):
-            buttons.addWidget(button)
-        buttons.addStretch(1)
-        buttons.addWidget(self.again_button)
-        column.addLayout(buttons)
+        buttons = (self.copy_button, self.csv_button, self.png_button, self.svg_button, self.again_button)
+        column.addWidget(wrapping_row(right, buttons))
         splitter = QSplitter(Qt.Orientation.Horizontal, self)
         splitter.addWidget(left)
         splitter.addWidget(right)
@@ -195,7 +197,11 @@ class StudyWindow(BesideWindow):
             self.desk.settings.set_text(SETTING, to_text(self.form.choice()))
 
     def _on_progress(self, step: object) -> None:
-        self._take_steps()
+        now = time.perf_counter()
+        if now >= self._next_take:
+            self._take_steps()
+            took = time.perf_counter() - now
+            self._next_take = now + max(_TAKE_EVERY_S, took / _SHARE)
         if isinstance(step, Progress):
             self.bar.show_progress(step.fraction if isinstance(step, StudyProgress) else None)
         self._show_state()

@@ -59,8 +59,9 @@ class Machine:
             shutil.copy(library, self.drive / "windows" / "system32")
         self._environment["WINEDLLOVERRIDES"] += ";" + ";".join(f"{name}=n" for name in libraries)
         self._plain([SERVER, "-k"])
-        # Kept up, so that no program that is tried has to start it, and to hold its pipes.
+        # Wine's own processes are started here and kept up: they would hold the pipes of a program that starts them.
         self._plain([SERVER, "-p"])
+        self._plain([WINE, "wineboot"])
         self.run("reg", "add", r"HKCU\Software\Wine", "/v", "Version", "/d", "win10", "/f")
         for font in _FONTS:
             self.run("reg", "add", r"HKCU\Software\Wine\Fonts\Replacements", "/v", font, "/d", "DejaVu Sans", "/f")
@@ -82,7 +83,7 @@ class Machine:
         """
         process = self.start(*command)
         try:
-            said = process.communicate(timeout=within)[0].decode("utf-8", "replace")
+            said = _read(process.communicate(timeout=within)[0])
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             raise TrialError(f"{command[0]} did not end within {within:g} s") from None
@@ -160,6 +161,13 @@ class Machine:
         if self._user is not None:
             for one in (path, *path.rglob("*")):
                 os.chown(one, self._user, self._user, follow_symlinks=False)
+
+
+def _read(said: bytes) -> str:
+    try:
+        return said.decode("utf-8")
+    except UnicodeDecodeError:
+        return said.decode("cp437")  # as Windows' own tools for the console write
 
 
 @contextmanager

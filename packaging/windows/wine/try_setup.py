@@ -24,6 +24,7 @@ from house import HOUSE, PACKAGING, identity
 from installer import write_setup
 from interpreter import STEM
 from machine import Machine, TrialError, say, screen, wait_for
+from signing import check_signature, make_signer
 from static import look_into
 
 HERE = Path(__file__).resolve().parent
@@ -58,7 +59,8 @@ def try_all(setup: Path, work: Path, out: Path, place: Path) -> None:
     """Try one thing after the other."""
     shims = place / "shims"
     subprocess.run([sys.executable, str(HERE / "shims.py"), str(work / identity.NAME), str(shims)], check=True)
-    older = make_older(place, work / "icons")
+    older = make_older(place, work / "icons", make_signer(place / "signer"))
+    check_signature(older, place / "signer")
     shutil.copy(setup, place / "setup.exe")
     linux = out / "selftest-here.json"
     test_here(linux)
@@ -66,6 +68,8 @@ def try_all(setup: Path, work: Path, out: Path, place: Path) -> None:
         before = analyst.files()
         refuse_other_files(analyst, older)
         move(analyst, older)
+        check_signature(analyst.drive / PLACE / UNINSTALLER, place / "signer")
+        say("setup.exe and the uninstaller in it can be signed")
         upgrade(analyst, older, place / "setup.exe")
         look_at_registry(analyst)
         report = self_test(analyst, PLACE, out / "selftest-windows.json", out / "selftest-windows.png")
@@ -89,7 +93,7 @@ def user(home: Path, shims: Path, number: int, display: str) -> Iterator[Machine
         machine.stop()
 
 
-def make_older(place: Path, icons: Path) -> Path:
+def make_older(place: Path, icons: Path, sign: str) -> Path:
     """Return a setup.exe of an older version, which has hardly more files than those that newer ones don't."""
     tree = place / "older"
     gone = ("runtime/gone.pyd", "commands/gone.cmd", "licences/gone.txt")
@@ -97,7 +101,7 @@ def make_older(place: Path, icons: Path) -> Path:
         (tree / name).parent.mkdir(parents=True, exist_ok=True)
         (tree / name).write_text("of an older version")
     setup = place / "older-setup.exe"
-    write_setup(tree, setup, icons, place, version=OLDER)
+    write_setup(tree, setup, icons, place, sign, version=OLDER)
     return setup
 
 

@@ -185,6 +185,7 @@ def test_pictures_are_drawn_and_saved(study, until, tmp_path):
     until(lambda: not study.is_running)
     assert not study.png_button.isEnabled()
     study.results.pages.setCurrentIndex(1)
+    until(lambda: study.results.heat_view.laid_out is not None)
     heat = study.results.heat_view.laid_out.map
     assert heat.down == ("4 segments", "6 segments", "8 segments")
     assert heat.across == (("pgd",), ("published",))
@@ -193,9 +194,15 @@ def test_pictures_are_drawn_and_saved(study, until, tmp_path):
     assert "Rows in this place: 2" in tip
     assert study.results.heat_view.tip_at(QPoint(0, 0)) == ""
     study.results.pages.setCurrentIndex(2)
+    until(lambda: study.results.chart_view.chart is not None)
     shown = study.results.chart_view.chart
     assert [series.name for series in shown.series] == ["pgd", "b = 0.5, published", "b = 1.5, published"]
     assert [name for _, name in shown.ticks] == ["4", "6", "8"]
+    assert study.results.over.currentData() == "segments"
+    study.results.over.setCurrentIndex(study.results.over.findData("height_weight"))
+    study.results.over.activated.emit(study.results.over.currentIndex())
+    until(lambda: study.results.chart_view.chart is not shown)
+    assert [name for _, name in study.results.chart_view.chart.ticks] == ["0.5", "1.5"]
     for suffix, begins in ((".png", b"\x89PNG"), (".svg", b"<?xml")):
         study.questions.save_path = tmp_path / f"p{suffix}"
         study.save_picture(suffix)
@@ -209,3 +216,29 @@ def test_numbers_are_read_with_the_signs_of_the_country():
     assert list(wanted.sets) == ["none", "100:5.5"]
     QLocale.setDefault(QLocale(QLocale.Language.English, QLocale.Country.UnitedKingdom))
     assert wanted_of(StudyChoice(methods=("published",), weights="0.5,1,1.5"), 1).weights == (0.5, 1.0, 1.5)
+
+
+def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, qtbot):
+    choose(study, counts="3-12")
+    study.solve()
+    study.results.pages.setCurrentIndex(1)
+    until(lambda: study.results.heat_view.laid_out is not None)
+    assert study.is_running
+    first = study.results.heat_view.laid_out.map
+    until(lambda: not study.is_running)
+    until(lambda: len(study.results.heat_view.laid_out.map.down) == 10)
+    assert len(first.down) < 10
+
+
+def test_where_no_row_can_be_kept_it_says_so(qtbot, desk, opened, tmp_path, answering, until):
+    (tmp_path / "studies").write_text("a file")
+    study = StudyWindow(desk, tmp_path / "studies")
+    qtbot.addWidget(study)
+    told = []
+    study.desk.notices.told.connect(lambda notice: told.append(notice.sentence))
+    study.open()
+    choose(study, counts="4", methods=("pgd",))
+    study.solve()
+    until(lambda: not study.is_running)
+    assert len(told) == 1
+    assert "cannot be kept" in told[0]
