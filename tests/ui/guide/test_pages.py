@@ -226,6 +226,7 @@ def test_the_columns_of_the_figures_are_those_that_are_written(line):
 def test_the_columns_of_the_commands_are_those_that_are_written():
     from bobdesk.files.exporters import study_tables, tables
     from bobdesk.files.published_tables import METHODS, published_table
+    from bobdesk.files.rules_file import findings_table
     from bobdesk.plan.traced_line import Trace
     from bobdesk.solve.envelope import Envelope
 
@@ -235,6 +236,7 @@ def test_the_columns_of_the_commands_are_those_that_are_written():
     two = np.array([0.0, 1.0])
     assert header(tables.envelope_table(Envelope(two, two, two))) == columns_below("--envelope` writes")
     assert header(study_tables.study_table([])) == columns_below("`bobdesk study` and")
+    assert header(findings_table([])) == columns_below("`bobdesk rules` and")
     published = header(published_table([]))
     first = columns_below("`bobdesk published` and")
     assert published[: len(first)] == first
