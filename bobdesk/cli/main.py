@@ -12,6 +12,7 @@ import click
 from bobdesk import __version__
 from bobdesk.cli.window import open_window, wants_window
 from bobdesk.errors import InputError, TargetError
+from bobdesk.sentences import ended
 
 DONE, WRONG_CALL, UNUSABLE_INPUT, UNMET_TARGETS = 0, 2, 3, 4
 
@@ -101,6 +102,5 @@ def _say_what_can_be_said() -> None:
 
 
 def _failed(sentence: str, status: int) -> int:
-    text = " ".join(sentence.split())
-    click.echo(f"bobdesk: {text}" if text.endswith(".") else f"bobdesk: {text}.", err=True)
+    click.echo(f"bobdesk: {ended(' '.join(sentence.split()))}", err=True)
     return status

@@ -86,11 +86,9 @@ class MainWindow(QMainWindow):
 
     def go_to(self, step: StepName) -> None:
         """Show a step's panel; the keyboard leaves the panel before, and no field takes it unasked."""
-        was_in_panel = self.panels.has_focus
-        is_another = self.panels.show_step(step)
-        view = self.views.currentWidget()
-        if is_another and was_in_panel and view is not None:
-            view.setFocus(Qt.FocusReason.OtherFocusReason)
+        was_in_panel = self.panels.focus() is not None
+        if self.panels.show_step(step) and was_in_panel:
+            self.views.take_focus()
         self.steps_bar.show_step(step)
         self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()

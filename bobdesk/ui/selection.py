@@ -1,4 +1,7 @@
-"""What is selected, and the cursor along the line: one thing across plan, strips and tables; never undone."""
+"""What is selected, and the cursor along the line: one thing across plan, strips and tables; never undone.
+
+A selected boundary selects the two segments beside it; whoever selects other segments deselects it.
+"""
 
 from __future__ import annotations
 
@@ -56,6 +59,7 @@ class Selection(QObject):
         if found != self._segments:
             self._segments = found
             self.segments_changed.emit()
+            self.boundary = None
 
     @property
     def boundary(self) -> int | None:
@@ -67,6 +71,11 @@ class Selection(QObject):
         if index != self._boundary:
             self._boundary = index
             self.boundary_changed.emit()
+
+    def select_boundary(self, index: int) -> None:
+        """Select a boundary with the segments at both its sides."""
+        self.segments = (index, index + 1)
+        self.boundary = index
 
     @property
     def control_point(self) -> int | None:

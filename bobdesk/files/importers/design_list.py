@@ -10,6 +10,7 @@ from typing import Any, Literal
 from bobdesk.errors import InputError
 from bobdesk.files.importers.json_text import finite_number, parse_json
 from bobdesk.files.importers.table import read_bytes, table_from
+from bobdesk.sentences import are_missing, listed
 
 _MOST_CURVES = 1000
 _NUMBERS = ("from_m", "length_m", "radius_m")
@@ -97,7 +98,7 @@ def _number(entry: dict[str, Any], key: str, *, where: str) -> float:
         raise InputError(f"{where}: there is no {key}")
     value = finite_number(entry[key])
     if not math.isfinite(value):
-        raise InputError(f"{where}: {key} is no number")
+        raise InputError(f"{where}: {key} is not a number")
     return value
 
 
@@ -106,7 +107,7 @@ def _from_table(data: bytes, *, name: str) -> list[DesignCurve]:
     header = table.header or []
     missing = [column for column in _NUMBERS if column not in header]
     if missing:
-        raise InputError(f"{name}: there is no column {' and '.join(missing)}; a list of curves needs all three")
+        raise InputError(f"{name}: {are_missing(missing)}; a list of curves needs {listed(_NUMBERS)}")
     if len(table.rows) > _MOST_CURVES:
         raise InputError(f"{name}: there are more than {_MOST_CURVES:,} curves in it")
     numbers = [table.column(header.index(column), column) for column in _NUMBERS]

@@ -156,9 +156,9 @@ class Strip(QWidget):
         self.own_range = None
         self.update()
 
-    def cancel(self) -> bool:
+    def cancel(self, *, keep_place: bool = False) -> bool:
         """Drop what the mouse is doing; return whether there was something."""
-        return self._mouse.cancel()
+        return self._mouse.cancel(keep_place=keep_place)
 
     def draw(self, painter: QPainter, width: float, height: float, *, held: QPixmap | None = None) -> None:
         """Draw the strip in a size; `held` are curves that were drawn before."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtGui import QAction, QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from bobdesk.alignment.range_figures import range_figures
@@ -135,15 +135,25 @@ class StripStack(QWidget):
             strip.fit()
 
     def cancel(self) -> bool:
-        """Esc: drop a drag, or the selected stretch or boundary; return whether there was something."""
+        """Esc: drop a drag, or the selected stretch, or what is selected; return whether there was something."""
         dropped = [strip.cancel() for strip in self._strips]
-        if any(dropped):
-            return True
-        if self.clear_range():
-            return True
-        had = self._desk.selection.boundary is not None
-        self._desk.selection.boundary = None
-        return had
+        return any(dropped) or self.clear_range() or self._operations.select_nothing()
+
+    def let_go(self) -> None:
+        """Drop a drag whose ground has changed: another step, another document, the keyboard elsewhere."""
+        for strip in self._strips:
+            strip.cancel(keep_place=True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Hold nothing that is not seen."""
+        self.let_go()
+        super().hideEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Hold nothing when the keyboard goes, and Esc with it; a menu does not count."""
+        if event.reason() not in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.MenuBarFocusReason):
+            self.let_go()
+        super().focusOutEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move cursor or boundary, zoom, cancel."""
@@ -219,6 +229,7 @@ class StripStack(QWidget):
         selection.stretch_changed.connect(self._on_stretch)
         self._desk.quantities.changed.connect(self._mark_station)
         self._desk.session.document_changed.connect(self._on_document)
+        self._desk.session.changed.connect(self.let_go)
         self._design.changed.connect(self.curvature.update)
         self.card.closed.connect(self.clear_range)
         for strip in (self.gradient, self.elevation):
@@ -268,7 +279,6 @@ class StripStack(QWidget):
         station = min(max(station, 0.0), self.axis.length)
         if not segments:
             return
-        self._desk.selection.boundary = None
         add = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         self._operations.select(segment_at(segments, station), station=station, add=add)
 

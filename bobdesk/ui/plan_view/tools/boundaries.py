@@ -80,7 +80,6 @@ class BoundariesTool(Tool):
             if self._drag.hold(boundary):
                 self._pressed, self._is_moving = pointer, False
             return
-        self.desk.selection.boundary = None
         found = self._line.nearest(self.desk.session.project, pointer.plan)
         if found is None:
             self.desk.notices.note(self._now.problem or self.tr("There are no segments yet: a line comes first"))
@@ -88,7 +87,7 @@ class BoundariesTool(Tool):
             index = segment_at(self._now.segments, found[0])
             self._operations.select(index, station=found[0], add=pointer.holds(Qt.KeyboardModifier.ShiftModifier))
         else:
-            self.desk.selection.segments = ()
+            self._operations.select_nothing()
 
     def move(self, pointer: Pointer) -> None:
         """Let the boundary follow along the line; Alt moves it freely."""
@@ -177,10 +176,12 @@ class BoundariesTool(Tool):
             self._pressed, self._is_moving = None, False
             self.repaint.emit()
             return True
-        selection = self.desk.selection
-        had = selection.boundary is not None or bool(selection.segments)
-        selection.boundary, selection.segments = None, ()
-        return had
+        return self._operations.select_nothing()
+
+    def let_go(self) -> None:
+        """Drop a drag, one that has hardly begun too."""
+        if self._pressed is not None:
+            self.reset()
 
     def paint(self, painter: QPainter, frame: Frame) -> None:
         """Mark the boundary under the mouse; beside one that is dragged, write its figures."""
