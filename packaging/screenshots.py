@@ -85,6 +85,9 @@ def one(theme: str, folder: Path) -> None:
         window.go_to(step)
         work(quiet, 0.8)
         take(f"step-{number}-{step.lower()}", window)
+    for name in open_data(window):
+        work(quiet, 0.8)
+        take(name, window)
     window.go_to("Plan")
     window.desk.notices.note("The project was recovered; save it to keep it.")
     window.desk.notices.warn("The line turns back on itself at 412, 618; look there.")
@@ -102,6 +105,41 @@ def one(theme: str, folder: Path) -> None:
         take(f"guide-{page.removesuffix('.md')}", window.guide.window)
     window.leave()
     QApplication.processEvents()
+
+
+def open_data(window: object) -> Iterator[str]:
+    """Show what the data leave open, one thing after the other, and the design rules."""
+    from bobdesk.ui.panels.export_panel import ExportPanel
+    from bobdesk.ui.panels.solve_panel import SolvePanel
+    from bobdesk.ui.solve.open_data import open_data_of
+
+    found = open_data_of(window.desk)
+    window.go_to("Solve")
+    panel = window.findChild(SolvePanel)
+    panel.advice.ask_button.click()
+    yield "open-advice"
+    panel.advice.ask_button.click()
+    found.show("profiles", True)
+    yield "open-profiles"
+    found.show("profiles", False)
+    found.show("error_band", True)
+    panel.budget.fold.set_open(True)
+    panel.verticalScrollBar().setValue(panel.verticalScrollBar().maximum())
+    yield "open-budget"
+    panel.verticalScrollBar().setValue(panel.verticalScrollBar().maximum())
+    yield "open-budget-below"
+    found.show("error_band", False)
+    panel.budget.fold.set_open(False)
+    window.go_to("Export")
+    panel = window.findChild(ExportPanel)
+    rules = panel.rules
+    rules.table.selectRow(next(row for row in range(20) if getattr(rules.finding(row), "stretches", ())))
+    rules.table.clicked.emit(rules.table.currentIndex())
+    rules.sled_fold.set_open(True)
+    panel.ensureWidgetVisible(rules.sled_fold)
+    yield "design-rules"
+    rules.sled_fold.set_open(False)
+    window.desk.selection.stretch = None
 
 
 def beside(window: object, take: Callable, work: Callable) -> None:
