@@ -132,8 +132,8 @@ class Machine:
         return path
 
     def files(self) -> set[str]:
-        """Return the paths of all files and folders on drive C."""
-        return {path.relative_to(self.drive).as_posix() for path in self.drive.rglob("*")}
+        """Return the paths of all files and folders in the home, in which drive C lies."""
+        return {path.relative_to(self.home).as_posix() for path in self.home.rglob("*")}
 
     def stop(self) -> None:
         """End everything that runs there."""
