@@ -304,6 +304,24 @@ class SledEntry(_Strict):
     air_density: float
 
 
+class DesignCurveEntry(_Strict):
+    """A DesignCurve."""
+
+    start: float
+    length: float
+    radius: float
+    side: Literal["left", "right"] | None
+    name: str
+
+
+class DesignEntry(_Strict):
+    """A DesignList."""
+
+    name: str
+    curves: list[DesignCurveEntry]
+    offset: float
+
+
 class Document(_Strict):
     """A Project."""
 
@@ -334,3 +352,4 @@ class Document(_Strict):
     plan_error: float | None = None
     rules: list[RuleEntry] | None = None
     sled: SledEntry | None = None
+    design: DesignEntry | None = None

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 _SPACING = 2.0
 _MOST_STATIONS = 4000
 # Cells of smooth bands and of random profiles, which must lie on one grid to be comparable.
-_MOST_CELLS = 200
+_MOST_CELLS = 150
 # Profiles that quantiles are made of; and the seed, so that the same data always look the same.
 _PROFILES, _SEED = 200, 1
 

@@ -107,6 +107,8 @@ def check_rule(rule: Rule) -> Rule:
         raise InputError("a rule needs a name")
     if len(rule.name) > _LONGEST_TEXT or len(rule.source) > _LONGEST_TEXT:
         raise InputError(f"the name and the source of a rule may have {_LONGEST_TEXT} letters")
+    if not (rule.name.isprintable() and rule.source.isprintable()):
+        raise InputError("the name and the source of a rule must be one line of letters each")
     if rule.quantity not in QUANTITIES:
         raise InputError(f'the rule "{rule.name}" must be about one of {", ".join(QUANTITIES)}')
     numbers = [value for value in (rule.lowest, rule.highest, rule.start, rule.end) if value is not None]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
-from bobdesk.alignment.centreline import Centreline
-from bobdesk.alignment.length_error import length_sigma_of_vertices
 from bobdesk.solve.targets import Targets
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
 
 
 @dataclass(frozen=True)
@@ -48,6 +50,8 @@ def input_errors(
     scale
         1 sigma of the plan's scale, as a share; None if nothing is known of it.
     """
+    from bobdesk.alignment.length_error import length_sigma_of_vertices  # here, for it needs scipy
+
     distance = line.length / max(vertices - 1, 1)
     digitising = length_sigma_of_vertices(line, vertex_distance=distance, wavelength=wavelength)
     sources = {"digitising": digitising, "calibration": 0.0 if targets.unknown_scale else scale}

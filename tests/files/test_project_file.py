@@ -102,6 +102,7 @@ def test_the_stored_file_of_version_1_still_opens() -> None:
     assert project.trace.suspect.tolist() == [[2, 5], [20, 29]]
     assert project.actual is not None
     assert len(project.actual.points) == 40
+    assert project.design is None
     assert run_line(project.runs[0]).slope_lengths[-1] == pytest.approx(project.runs[0].figures.length, abs=1e-6)
 
 

@@ -124,6 +124,8 @@ def test_rules_that_are_not_used_have_no_finding():
         Rule("r", "gradient", None, 0.1, -1.0),
         Rule("r", "gradient", None, 0.1, 10.0, 10.0),
         Rule("r" * 301, "length"),
+        Rule("two\nlines", "length"),
+        Rule("r", "length", source="two\u2028lines"),
         Rule("r", "colour"),
     ],
 )

@@ -30,6 +30,7 @@ _IN_STEPS: dict[str, tuple[StepName, ...]] = {
     "control_points": ("Plan", "Scale"),
     "segments": ("Segments", "Solve", "Export"),
     "actual_track": ("Solve", "Export"),
+    "elevations": ("Segments", "Solve", "Export"),
 }
 
 

@@ -48,7 +48,7 @@ class AdvicePart(Part):
         if found is not None and current:
             text = self.tr(
                 "At {station}: the smooth profiles that are possible spread by {before} (root mean square), with it by"
-                " {after}; and the band, {width} wide on the mean, gets {gain} narrower."
+                " {after}; and the band of the limits alone, {width} wide on the mean, gets {gain} narrower."
             )
             self.sentence.setText(
                 text.format(

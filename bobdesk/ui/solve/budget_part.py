@@ -41,7 +41,7 @@ class BudgetPart(Part):
         self.plan_error = TargetField(self.tr("Error of the plan's scale"), panel.refuse, self)
         self.plan_error.setPlaceholderText(self.tr("as calibrated"))
         panel.add_field(
-            form, self.tr("Scale error (1σ), %"), self.plan_error,
+            form, self.tr("Scale error (1σ)") + ", %", self.plan_error,
             self.tr("How far the scale of the plan may be wrong; leave it empty for what the calibration says, and"
                     " give it where coordinates or a scale by number say nothing of it"),
         )  # fmt: skip
@@ -177,7 +177,7 @@ class BudgetPart(Part):
         elif found is not None:
             text = found.sentence
         else:
-            text = self._open.problem("budget") or self.tr("A centreline comes first.")
+            text = (self._open.problem("budget") or self.tr("A centreline comes first")).rstrip(".") + "."
         self.sentence.setText(text[:1].upper() + text[1:])
 
     def _on_plan_error(self, shown: float | None) -> None:

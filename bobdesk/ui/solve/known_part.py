@@ -151,6 +151,7 @@ class KnownPart(Part):
         if self.desk.session.apply(
             self.tr("Add known elevation"), lambda project: edits.add_known_elevation(project, known)
         ):
+            self.table.setCurrentIndex(self.model.index(self._known.index(known), 1))
             return True
         self._await(known.station)
         return False

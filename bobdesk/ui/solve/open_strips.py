@@ -153,7 +153,7 @@ class AdviceOverlay(Overlay):
     def follow(self, length: float) -> None:
         """Take the place from the newest advice, on a line of this length, m."""
         found = self._open.advice
-        if found is None or length <= 0:
+        if found is None or length <= 0 or not self._open.is_current("advice"):
             self._station = None
             return
         self._station = found.station * (length / float(found.stations[-1]))

@@ -150,7 +150,7 @@ class TargetsPart(Part):
             "How fast the gradient may change, for the band of possible elevations and where to measure next;"
             " 2 % in 10 m is usual. Results do not depend on it"
         )
-        self.panel.add_field(self._form, self.tr("Change in 10 m, %"), self.change, tip)
+        self.panel.add_field(self._form, self.tr("Change in 10 m") + ", %", self.change, tip)
 
     def _add_scale(self) -> None:
         self.scale.addItems([self.tr("known"), self.tr("unknown: find the factor f")])

@@ -53,7 +53,7 @@ class ElevationsLayer(DerivedLayer):
             stations = factor * np.array([known.station for known in project.known_elevations])
             self._draw_diamonds(painter, frame, line, stations, _INK)
         found = self._open.advice
-        if found is not None:
+        if found is not None and self._open.is_current("advice"):
             share = found.station / float(found.stations[-1])
             station = np.array([share * float(line.stations[-1])])
             painter.setBrush(Qt.BrushStyle.NoBrush)
