@@ -176,7 +176,7 @@ def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypat
     def refused(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(atomic.tempfile, "mkstemp", refused)
+    monkeypatch.setattr(atomic, "new_file", refused)
     with pytest.raises(InputError, match="cannot be written: permission denied"):
         save_project(Project(), tmp_path / "a.bobdesk")
     assert list(tmp_path.iterdir()) == []
