@@ -14,6 +14,8 @@ import re
 import shlex
 import subprocess
 import sys
+import time
+from email.utils import formatdate
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -31,6 +33,8 @@ VERSION = _from_program("__version__")
 # Reverse DNS, as AppStream and macOS want it. It must stay the same for ever once a version has been published.
 APP_ID = _from_program("APPLICATION_ID")
 
+DEVELOPER_ID = APP_ID.rpartition(".")[0]
+
 NAME = "BobDesk"  # shown to people
 PROGRAM = "bobdesk"  # typed and installed
 GENERIC_NAME = "Bobsleigh track reconstruction"
@@ -44,8 +48,8 @@ AUTHORS = "The BobDesk authors"
 COPYRIGHT = "Copyright 2026 The BobDesk authors"
 LICENCE = "MIT"
 KEYWORDS = "bobsleigh;luge;skeleton;track;centreline;plan;simulation;"
-# Who answers for the packages, as "Name <address>"; whoever publishes them says so.
-MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", AUTHORS)
+# Who answers for the packages, as "Name <address>"; whoever publishes them says so. ".invalid" is nobody's for ever.
+MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", f"{AUTHORS} <authors@bobdesk.invalid>")
 
 # The file type of a project: a ZIP whose first entry is project.json. "x-": not registered with IANA.
 FILE_SUFFIX = "bobdesk"
@@ -82,9 +86,15 @@ def source_date_epoch() -> int:
 
 
 def values() -> dict[str, str]:
-    """Return all names above in capitals with their values, and SOURCE_DATE_EPOCH."""
+    """Return all names above in capitals with their values, and SOURCE_DATE_EPOCH, DATE and DATE_RFC."""
     found = {name: value for name, value in globals().items() if name.isupper() and isinstance(value, str)}
-    return found | {"SOURCE_DATE_EPOCH": str(source_date_epoch())}
+    date = source_date_epoch()
+    day = time.gmtime(date)
+    return found | {
+        "SOURCE_DATE_EPOCH": str(date),
+        "DATE": time.strftime("%Y-%m-%d", day),
+        "DATE_RFC": formatdate(date),
+    }
 
 
 def fill(template: str) -> str:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import io
+import sys
 from collections.abc import Sequence
 
 import click
@@ -10,6 +12,7 @@ import click
 from bobdesk import __version__
 from bobdesk.cli.window import open_window, wants_window
 from bobdesk.errors import InputError, TargetError
+from bobdesk.sentences import ended
 
 DONE, WRONG_CALL, UNUSABLE_INPUT, UNMET_TARGETS = 0, 2, 3, 4
 
@@ -22,6 +25,7 @@ COMMANDS = {
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
     "study": "Solve plans in many ways: segment counts, weights, methods, known elevations.",
     "published": "The paper's tables beside what our methods make of the same targets.",
+    "rules": "Judge a 3D line by design rules, each with its source.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
     "selftest": "Try out what is installed: open the window unseen, and reconstruct a sample.",
@@ -69,6 +73,7 @@ def bobdesk() -> None:
 
 def run(arguments: Sequence[str]) -> int:
     """Run a command and return the exit status; every failure says one sentence on stderr."""
+    _say_what_can_be_said()
     try:
         if wants_window(arguments, COMMANDS):
             return open_window(arguments[0] if arguments else None)
@@ -90,7 +95,12 @@ def run(arguments: Sequence[str]) -> int:
     return status if isinstance(status, int) else DONE
 
 
+def _say_what_can_be_said() -> None:
+    """Let signs that a pipe's encoding has not (cp1252 has no "−") become question marks, not faults."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")
+
+
 def _failed(sentence: str, status: int) -> int:
-    text = " ".join(sentence.split())
-    click.echo(f"bobdesk: {text}" if text.endswith(".") else f"bobdesk: {text}.", err=True)
+    click.echo(f"bobdesk: {ended(' '.join(sentence.split()))}", err=True)
     return status

@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary, WeakSet
 
 from PySide6.QtCore import QObject, Signal
 
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError
 from bobdesk.project.layout import Layout
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
@@ -17,26 +17,13 @@ from bobdesk.ui.solving import solving_of
 from bobdesk.ui.theme import colours
 
 if TYPE_CHECKING:
-    from bobdesk.solve.envelope import Envelope
     from bobdesk.track.centreline3d import Centreline3D
 
 
-class RunDrawing:
-    """What is worked out of one run to be drawn: its line and its band."""
+def _drawn(run: Run) -> Centreline3D:
+    from bobdesk.project.derive_runs import run_line
 
-    def __init__(self, line: Centreline3D, band: Envelope | None) -> None:
-        self.line = line
-        self.band = band
-
-
-def _drawn(run: Run) -> RunDrawing:
-    from bobdesk.project.derive_runs import run_envelope, run_line
-
-    try:
-        band = run_envelope(run) if run.inputs.settings.method == "pgd" else None
-    except TargetError:
-        band = None
-    return RunDrawing(run_line(run), band)
+    return run_line(run)
 
 
 class ShownResult(QObject):
@@ -56,7 +43,7 @@ class ShownResult(QObject):
         super().__init__(parent)
         self._desk = desk
         self._solving = solving_of(desk)
-        self._drawings: WeakKeyDictionary[Layout, RunDrawing] = WeakKeyDictionary()
+        self._drawings: WeakKeyDictionary[Layout, Centreline3D] = WeakKeyDictionary()
         self._numbers: WeakKeyDictionary[Layout, int] = WeakKeyDictionary()
         self._next_number = 0
         self._overlaid: WeakSet[Layout] = WeakSet()
@@ -92,9 +79,9 @@ class ShownResult(QObject):
         if run is None:
             return None
         found = self._drawings.get(run.layout)
-        if found is None:
-            return None
-        return found.line if self._scrubbed is None else self._line_of_iterate(run, self._scrubbed)
+        if found is None or self._scrubbed is None:
+            return found
+        return self._line_of_iterate(run, self._scrubbed)
 
     def _line_of_iterate(self, run: Run, row: int) -> Centreline3D:
         from bobdesk.project.derive_runs import iterate_line
@@ -106,14 +93,6 @@ class ShownResult(QObject):
         return held[2]
 
     @property
-    def band(self) -> Envelope | None:
-        """Every elevation that the targets of the shown run allow."""
-        if self.run is None or self.is_live:
-            return None
-        found = self._drawings.get(self.run.layout)
-        return None if found is None else found.band
-
-    @property
     def colour(self) -> str:
         """Of the line that is drawn first; a run at work has the colour that it keeps."""
         if self.is_live or self.run is None:
@@ -122,8 +101,7 @@ class ShownResult(QObject):
 
     def line_of_run(self, run: Run) -> Centreline3D | None:
         """Return a run's line if it is worked out already."""
-        found = self._drawings.get(run.layout)
-        return None if found is None else found.line
+        return self._drawings.get(run.layout)
 
     def colour_of(self, run: Run) -> str:
         """Return the one colour of a run."""

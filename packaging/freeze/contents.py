@@ -71,7 +71,7 @@ EXCLUDED_MODULES = [
 _SYSTEM_LIBRARIES = re.compile(
     r"""^(
     libstdc\+\+|libgcc_s|libX11|libX11-xcb|libXau|libXdmcp|libXext|libXrender|libbsd|libmd|
-    libxcb\.so|libxcb-(dri\d|glx|present|randr|render|shape|shm|sync|xfixes)\.so|libxkbcommon\.so|
+    libxcb\.so|libxcb-(dri\d|glx|present|randr|render|shape|shm|sync|xfixes|xkb)\.so|libxkbcommon|
     libfontconfig|libfreetype|libexpat|libharfbuzz|libgraphite2|libpng16|libbrotli|
     libGL|libEGL|libOpenGL|libdrm|libgbm|libwayland|
     libglib-2|libgobject-2|libgio-2|libgmodule-2|libgthread-2|libmount|libblkid|libselinux|libpcre2|

@@ -19,7 +19,7 @@ _LICENCES = identity.ROOT / "resources" / "licences"
 # Distributions that bring no licence text along: whose text in resources/licences stands for it.
 _WITHOUT_TEXT = {"pyside6-essentials": "LGPL-3.0", "shiboken6": "LGPL-3.0"}
 # What the metadata call "LicenseRef-..." or in words.
-_SHORT = {
+SHORT = {
     "pyside6-essentials": "LGPL-3.0-only",
     "shiboken6": "LGPL-3.0-only",
     "shapely": "BSD-3-Clause; GEOS: LGPL-2.1-or-later",
@@ -31,17 +31,25 @@ _WORDS = ("licen", "copying", "notice")
 
 def python_parts() -> Iterator[Part]:
     """Yield Python, each package that the program needs, by name, and PyInstaller, whose start program is in it."""
-    yield _python()
+    yield python(platform.python_version())
     told = _told_by_pip_licenses()
     for name in (*runtime.runtime_distributions(), "pyinstaller"):
         of = told[name]
-        licence, address = _SHORT.get(name, of["License"]), "" if of["URL"] == "UNKNOWN" else of["URL"]
-        yield Part(of["Name"], of["Version"], licence, address, tuple(_texts(name)), packaged=name != "pyinstaller")
+        licence, address = SHORT.get(name, of["License"]), "" if of["URL"] == "UNKNOWN" else of["URL"]
+        yield Part(
+            of["Name"],
+            of["Version"],
+            licence,
+            address,
+            tuple(texts_of(metadata.distribution(name))),
+            packaged=name != "pyinstaller",
+        )
 
 
-def _python() -> Part:
+def python(version: str) -> Part:
+    """Return Python itself."""
     text = text_of(Path(sysconfig.get_path("stdlib"), "LICENSE.txt"))
-    return Part("Python", platform.python_version(), "PSF-2.0", "https://www.python.org", (("LICENSE.txt", text),))
+    return Part("Python", version, "PSF-2.0", "https://www.python.org", (("LICENSE.txt", text),))
 
 
 def _told_by_pip_licenses() -> dict[str, dict[str, str]]:
@@ -50,14 +58,18 @@ def _told_by_pip_licenses() -> dict[str, dict[str, str]]:
     return {runtime.normalised(row["Name"]): row for row in json.loads(done.stdout)}
 
 
-def _texts(name: str) -> Iterator[tuple[str, str]]:
-    wanted = sorted((path for path in metadata.files(name) or () if _is_licence(path)), key=str)
+def texts_of(distribution: metadata.Distribution) -> Iterator[tuple[str, str]]:
+    """Yield name and text of each licence file that a package brings, or what stands for them."""
+    files, name = distribution.files or (), runtime.normalised(distribution.metadata["Name"])
+    wanted = sorted((path for path in files if _is_licence(path) and path.locate().exists()), key=str)
     for path in wanted:
         shown = path.as_posix().split(".dist-info/")[-1].removeprefix("licenses/")
         yield shown, text_of(Path(path.locate()))
-    for path in metadata.files(name) or ():
+    for path in files:
         if "sboms" in path.parts and path.suffix == ".json":
-            yield f"what was built into it, by {path.name}", _components(Path(path.locate()))
+            built_in = _components(Path(path.locate()))
+            if built_in:
+                yield f"what was built into it, by {path.name}", built_in
     if not wanted and name in _WITHOUT_TEXT:
         path = _LICENCES / f"{_WITHOUT_TEXT[name]}.txt"
         yield path.name, text_of(path)

@@ -12,13 +12,13 @@ import shlex
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterable
 from pathlib import Path
 
 from house import HERE, HOUSE, PACKAGING, identity
 from installer import write_setup
 from interpreter import GCC
 from launchers import WINDRES, write_launchers
+from notices import write_notices
 from tree import date_everything, write_runtime
 from wheels import INTERPRETER, PYTHON, download, download_interpreter, sha256
 
@@ -63,7 +63,9 @@ def put_together(work: Path, sign: str) -> tuple[Path, list[str]]:
     launchers = write_launchers(tree, icons, work / "launchers")
     shutil.copy(HERE / "prompt.cmd", tree / "commands" / "prompt.cmd")
     sums = [f"{sha256(path)}  {path.name}" for path in (*packages, interpreter)]
-    write_licences(tree / "licences", sums)
+    write_notices(tree, [*packages, interpreter])
+    said = f"# What was downloaded, with SHA-256. Python's DLLs are out of {INTERPRETER}.\n"
+    (tree / "licences" / "downloads.txt").write_text(said + "\n".join(sums) + "\n", encoding="ascii")
     for program in (*launchers, tree / "runtime" / "python3.dll"):
         if sign:
             subprocess.run([*shlex.split(sign), str(program)], check=True)
@@ -96,14 +98,6 @@ def own_wheel(folder: Path, epoch: int) -> Path:
     if subprocess.run(command, env=environment, check=False).returncode:
         sys.exit("pip could not build the program's wheel.")
     return next(folder.glob("*.whl"))
-
-
-def write_licences(folder: Path, sums: Iterable[str]) -> None:
-    """Write the licences of the program and of all that it brings along."""
-    folder.mkdir(parents=True)
-    shutil.copy(HOUSE / "LICENSE", folder / f"{identity.NAME}.txt")
-    said = f"# Downloaded packages and their checksums (SHA-256); Python's DLLs are out of {INTERPRETER}.\n"
-    (folder / "downloads.txt").write_text(said + "\n".join(sums) + "\n", encoding="ascii")
 
 
 if __name__ == "__main__":

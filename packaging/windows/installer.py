@@ -16,7 +16,9 @@ from launchers import version_of_four
 _ALIKE = (".exe", ".dll", ".pyd", ".zip", ".pyc", ".py")
 
 
-def write_setup(tree: Path, setup: Path, icons: Path, work: Path, sign: str) -> None:
+def write_setup(
+    tree: Path, setup: Path, icons: Path, work: Path, sign: str = "", *, version: str = identity.VERSION
+) -> None:
     """Write setup.exe.
 
     Parameters
@@ -30,7 +32,7 @@ def write_setup(tree: Path, setup: Path, icons: Path, work: Path, sign: str) -> 
     listed.write_text("\n".join(instructions(tree)) + "\n", encoding="utf-8")
     setup.parent.mkdir(parents=True, exist_ok=True)
     names = {
-        **defined(),
+        **defined(version),
         "SIZE_KB": str(sum(path.stat().st_size for path in tree.rglob("*") if path.is_file()) // 1024),
         "LICENCE_FILE": str(HOUSE / "LICENSE"),
         "ICON": str(icons / f"{identity.PROGRAM}.ico"),
@@ -52,12 +54,12 @@ def write_setup(tree: Path, setup: Path, icons: Path, work: Path, sign: str) -> 
         sys.exit("makensis could not make setup.exe.")
 
 
-def defined() -> dict[str, str]:
+def defined(version: str) -> dict[str, str]:
     """Return the names that the installer's script takes from the place that all packages share."""
     return {
         "NAME": identity.NAME,
-        "VERSION": identity.VERSION,
-        "VERSION_DOTS": ".".join(map(str, version_of_four())),
+        "VERSION": version,
+        "VERSION_DOTS": ".".join(map(str, version_of_four(version))),
         "AUTHORS": identity.AUTHORS,
         "COPYRIGHT": identity.COPYRIGHT,
         "SUMMARY": identity.SUMMARY,

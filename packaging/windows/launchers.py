@@ -12,16 +12,16 @@ from interpreter import GCC, HARDENED, REPRODUCIBLE, STEM
 WINDRES = "x86_64-w64-mingw32-windres"
 
 
-def version_of_four() -> tuple[int, int, int, int]:
-    """Return the version as Windows counts it: four numbers, none of them larger than 65,535."""
-    numbers = [int(part) for part in re.findall(r"\d+", identity.VERSION)[:4]]
+def version_of_four(version: str) -> tuple[int, int, int, int]:
+    """Return a version as Windows counts it: four numbers, none of them larger than 65,535."""
+    numbers = [int(part) for part in re.findall(r"\d+", version)[:4]]
     first, second, third, fourth = (*numbers, 0, 0, 0, 0)[:4]
     return first, second, third, fourth
 
 
 def fill(template: Path, names: dict[str, str]) -> str:
     """Return a template with each @NAME@ replaced."""
-    numbers = version_of_four()
+    numbers = version_of_four(identity.VERSION)
     known = {
         **identity.values(),
         "VERSION_DOTS": ".".join(map(str, numbers)),

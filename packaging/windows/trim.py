@@ -32,7 +32,7 @@ _UNUSED = re.compile(
     r"\.(pyi|pyx|pxd|pxi|c|cpp|cc|h|hpp|f|f90|lib|a|def|cmake|typed|obj|prl)$"
     r"|/tests?/|/testing/tests/"
     r"|^shiboken6/(msvcp|vcruntime|concrt|vcomp|vccor|vcamp)"
-    r"|\.dist-info/(RECORD|INSTALLER|REQUESTED)$",
+    r"|\.dist-info/(INSTALLER|REQUESTED)$",
     re.IGNORECASE,
 )
 _UNREACHED = "|".join(re.escape(name.replace(".", "/")) for name in contents.EXCLUDED_MODULES)

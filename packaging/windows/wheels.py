@@ -19,6 +19,9 @@ from packaging.utils import canonicalize_name
 PYTHON = (3, 11)
 INTERPRETER = "panda3d==1.10.16"  # brings the signed DLLs of python.org for programs that are frozen with it
 
+# The wheel whose DLLs' signatures were looked at; `make installers-test` looks again.
+INTERPRETER_SHA256 = "37acfb92655c4226879f95c988e2ef1449a53c54486d6c1ebc00e2772429af82"
+
 # What the markers of requirements mean on the machine that the program is for, not on the one that builds.
 WINDOWS = {
     "os_name": "nt",
@@ -78,6 +81,8 @@ def download_interpreter(folder: Path) -> Path:
     wheel = found(folder, name, version)
     if wheel is None:
         sys.exit(f"{INTERPRETER} has no wheel for Windows.")
+    if sha256(wheel) != INTERPRETER_SHA256:
+        sys.exit(f"{wheel} is not the file that was looked at: its checksum is another.")
     return wheel
 
 

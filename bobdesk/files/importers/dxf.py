@@ -38,7 +38,13 @@ def read_dxf(data: bytes, *, name: str) -> ImportedLine:
         raise InputError(f"{name}: the drawing is {len(data) / 1e6:,.0f} MB large; the most that is read is 200 MB")
     try:
         ended = subprocess.run(
-            _worker_command(), input=data, capture_output=True, timeout=_TIME_LIMIT_S, check=False, env=_environment()
+            _worker_command(),
+            input=data,
+            capture_output=True,
+            timeout=_TIME_LIMIT_S,
+            check=False,
+            env=_environment(),
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
     except subprocess.TimeoutExpired:
         raise InputError(
