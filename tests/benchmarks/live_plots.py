@@ -7,7 +7,6 @@ Time in which the solver could have worked, but other programs had the processor
 
 from __future__ import annotations
 
-import statistics
 import sys
 import tempfile
 import threading
@@ -42,8 +41,8 @@ class _Run:
         self._qapp = qapp
         self._solving = solving_of(window.desk)
         self._runner = window.desk.runner
-        self.shown: list[float] = []
-        self.unseen: list[float] = []
+        self.shown: list[tuple[float, float, float]] = []
+        self.unseen: list[tuple[float, float, float]] = []
         self.late: list[float] = []
         self.frames = 0
         self.late_alone: list[float] = []
@@ -68,9 +67,12 @@ class _Run:
         self._show(_TURN_S)
         # It ends by itself after 200,000 iterations.
         while time.perf_counter() - began < seconds and self._solving.record.count < _ENOUGH:
-            self.unseen.append(self._rate(time.sleep))
-            self._due = time.perf_counter() + _EVERY_MS / 1000
-            self.shown.append(self._rate(self._show))
+            asleep = time.perf_counter()
+            self.unseen.append(self._turn(time.sleep))
+            # What the window has slept is no time since its last picture.
+            self._solving._told += time.perf_counter() - asleep
+            self._due, self._queued = time.perf_counter() + _EVERY_MS / 1000, _spent("MainThread")[1]
+            self.shown.append(self._turn(self._show))
         timer.stop()
         self._solving.drop_all()
         self._quiet()
@@ -82,7 +84,7 @@ class _Run:
             time.sleep(0.002)
 
     def _tick(self) -> None:
-        now, queued = time.perf_counter(), _queued("MainThread")
+        now, queued = time.perf_counter(), _spent("MainThread")[1]
         late = max(0.0, now - self._due)
         self.late.append(1000 * late)
         self.late_alone.append(1000 * max(0.0, late - (queued - self._queued)))
@@ -93,20 +95,24 @@ class _Run:
         QTimer.singleShot(round(1000 * seconds), loop.quit)
         loop.exec()
 
-    def _rate(self, turn: Callable[[float], object]) -> float:
-        began, queued, before = time.perf_counter(), _queued(_SOLVER), self._solving.record.count
+    def _turn(self, turn: Callable[[float], object]) -> tuple[float, float, float]:
+        """Return iterations, seconds without those in which others had the processor, and seconds of work of a turn."""
+        began, before, (worked, queued) = time.perf_counter(), self._solving.record.count, _spent(_SOLVER)
         turn(_TURN_S)
-        seconds = time.perf_counter() - began - (_queued(_SOLVER) - queued)
-        return (self._solving.record.count - before) / seconds
+        seconds = time.perf_counter() - began
+        then_worked, then_queued = _spent(_SOLVER)
+        return self._solving.record.count - before, seconds - (then_queued - queued), then_worked - worked
 
 
-def _queued(name: str) -> float:
-    """Return the seconds that a thread has waited for a processor so far."""
+def _spent(name: str) -> tuple[float, float]:
+    """Return the seconds that a thread has worked, and waited for a processor, so far; 0 where that is not told."""
     for thread in threading.enumerate():
         if thread.name.startswith(name):
             found = Path(f"/proc/self/task/{thread.native_id}/schedstat")
-            return int(found.read_text().split()[1]) / 1e9 if found.exists() else 0.0
-    return 0.0
+            if found.exists():
+                worked, queued = found.read_text().split()[:2]
+                return int(worked) / 1e9, int(queued) / 1e9
+    return 0.0, 0.0
 
 
 def main(rounds=5, seconds=7.0):
@@ -128,11 +134,14 @@ def main(rounds=5, seconds=7.0):
             run.work(seconds)
         window._may_close = True
         window.close()
-    costs = [100 * (1 - shown / unseen) for shown, unseen in zip(run.shown, run.unseen, strict=True)]
-    low, middle, high = statistics.quantiles(costs, n=4)
-    unseen, shown = sum(run.unseen) / len(run.unseen), sum(run.shown) / len(run.shown)
-    print(f"iterations a second, unseen {unseen:,.0f}, shown {shown:,.0f}: {100 * (1 - shown / unseen):.1f} % fewer")
-    print(f"turn by turn, {len(costs)} pairs: {middle:.1f} % fewer (quartiles {low:.1f} and {high:.1f})")
+    unseen, shown = np.array(run.unseen), np.array(run.shown)
+    rates = [turns[:, 0] / turns[:, 1] for turns in (unseen, shown)]
+    low, middle, high = np.percentile(100 * (1 - rates[1] / rates[0]), [25, 50, 75])
+    (all_unseen, free_unseen, _), (all_shown, free_shown, worked) = unseen.sum(axis=0), shown.sum(axis=0)
+    slow, fast = all_shown / free_shown, all_unseen / free_unseen
+    print(f"iterations a second, unseen {fast:,.0f}, shown {slow:,.0f}: {100 * (1 - slow / fast):.1f} % fewer")
+    print(f"turn by turn, {len(shown)} pairs: {middle:.1f} % fewer (quartiles {low:.1f} and {high:.1f})")
+    print(f"of its time the solver waits {100 * (1 - worked / free_shown):.1f} % for the window that shows it")
     for what, late in (("", run.late), (", without waiting for a processor", run.late_alone)):
         half, most = np.percentile(late, [50, 99])
         print(f"lateness of {len(late)} events{what}: p50 {half:.1f} ms, p99 {most:.1f} ms, largest {max(late):.1f} ms")
