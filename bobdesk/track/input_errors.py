@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Decimal
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.length_error import length_sigma_of_vertices
 from bobdesk.solve.targets import Targets
+from bobdesk.track.rounding import half_unit
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,3 @@ def input_errors(
         drop_rounding=half_unit(targets.drop),
         unknown=tuple(name for name, sigma in sources.items() if sigma is None),
     )
-
-
-def half_unit(figure: float) -> float:
-    """Return half a unit of the last decimal place that a figure has: 0.05 for 149.3, 0.5 for 1278."""
-    exponent = Decimal(repr(float(figure))).normalize().as_tuple().exponent
-    return 0.5 * 10.0 ** min(int(exponent), 0)
