@@ -18,7 +18,7 @@ $(READY): pyproject.toml constraints.txt packaging/linux/system-libraries
 	@sh packaging/linux/system-libraries
 	@test -x $(BIN)/python || $(PYTHON) -m venv $(VENV)
 	@echo "Installing the packages into $(VENV) (about a minute) ..."
-	@$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[cad,dev]'
+	@$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable '.[cad,cluster,dev]'
 	@touch $@
 
 demo: $(READY)  ## the main job on a bundled sample: leaves CSV and picture in out/

@@ -89,7 +89,7 @@ def _by_best_labels(centreline: Centreline, settings: SegmentationSettings) -> t
     else:
         if settings.count > len(blocks.scores):
             raise InputError(
-                f"{settings.count} segments cannot be told apart in this line; the most are {len(blocks.scores)}"
+                f"{settings.count} segments cannot be told apart in this line; want {len(blocks.scores)} at most"
             )
         of_blocks = best_labels_of_count(blocks, settings.count)
     crossed, labels = _runs(blocks.edges, of_blocks)

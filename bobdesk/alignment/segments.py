@@ -57,16 +57,19 @@ def check_segments(segments: Sequence[Segment], *, length: float) -> Segments:
         If they do not; the sentence names the first segment at fault.
     """
     if not segments:
-        raise InputError("there is no segment")
+        raise InputError("there are no segments in it")
     expected = 0.0
     for number, segment in enumerate(segments, 1):
         if segment.kind not in ("straight", "curve"):
             raise InputError(f"segment {number} is of the kind '{segment.kind}'; it must be straight or curve")
         if not abs(segment.start - expected) <= _SAME_STATION:
             fault = "overlaps the one before" if segment.start < expected else "leaves a gap to the one before"
-            raise InputError(f"segment {number} {fault}: it begins at {segment.start:g} m, not {expected:g} m")
+            raise InputError(f"segment {number} {fault}: it begins at {segment.start:.3f} m, not {expected:.3f} m")
         if not segment.end > segment.start:
-            raise InputError(f"segment {number} ends at {segment.end:g} m, before it begins at {segment.start:g} m")
+            raise InputError(
+                f"segment {number} begins at {segment.start:.3f} m and ends at {segment.end:.3f} m;"
+                " it must end farther on"
+            )
         expected = segment.end
     if not abs(expected - length) <= max(_SAME_STATION, 1e-9 * length):
         raise InputError(f"the segments end at {expected:.3f} m, but the line is {length:.3f} m long")
@@ -93,6 +96,15 @@ def segment_at(segments: Segments, station: float) -> int:
     return len(segments) - 1
 
 
+def in_words(segments: Sequence[Segment]) -> str:
+    """Return how many segments and curves there are: "17 segments, 8 of them curves"."""
+    curves = sum(segment.kind == "curve" for segment in segments)
+    if len(segments) == 1:
+        return f"1 segment, a {segments[0].kind}"
+    of_them = {0: "none of them a curve", 1: "1 of them a curve", len(segments): "all of them curves"}
+    return f"{len(segments)} segments, {of_them.get(curves, f'{curves} of them curves')}"
+
+
 def split(segments: Segments, station: float, *, shortest: float = SHORTEST) -> Segments:
     """Cut the segment at a station into two of the same kind."""
     _refuse_no_number(station)
@@ -100,7 +112,7 @@ def split(segments: Segments, station: float, *, shortest: float = SHORTEST) -> 
     segment = segments[index]
     _refuse_locked(segment, index, "split")
     if min(station - segment.start, segment.end - station) < shortest:
-        raise InputError(f"a cut at {station:g} m would leave a segment shorter than {shortest:g} m")
+        raise InputError(f"a cut at {station:g} m would leave a segment shorter than {shortest:g} m; cut farther away")
     parts = (
         replace(segment, end=station, by_hand=True),
         replace(segment, start=station, name="", by_hand=True),
@@ -126,17 +138,24 @@ def move_boundary(segments: Segments, boundary: int, station: float, *, shortest
     It stops `shortest` before the next boundary on either side, so that no segment vanishes.
     """
     if not 0 <= boundary < len(segments) - 1:
-        raise InputError("the line's ends are no boundaries between segments")
+        raise InputError("the ends of the line are not boundaries between segments")
     _refuse_no_number(station)
     before, after = segments[boundary], segments[boundary + 1]
     _refuse_locked(before, boundary, "moved")
     _refuse_locked(after, boundary + 1, "moved")
-    room = min(shortest, before.length, after.length)
-    station = min(max(station, before.start + room), after.end - room)
+    first, last = boundary_range(segments, boundary, shortest=shortest)
+    station = min(max(station, first), last)
     if station == before.end:
         return segments
     pair = (replace(before, end=station, by_hand=True), replace(after, start=station, by_hand=True))
     return segments[:boundary] + pair + segments[boundary + 2 :]
+
+
+def boundary_range(segments: Segments, boundary: int, *, shortest: float = SHORTEST) -> tuple[float, float]:
+    """Return the first and the last station that a boundary can have; a segment that is too short grows only."""
+    before, after = segments[boundary], segments[boundary + 1]
+    room = min(shortest, before.length, after.length)
+    return before.start + room, after.end - room
 
 
 def flip_kind(segments: Segments, index: int) -> Segments:
@@ -195,6 +214,11 @@ def keep_corrections(detected: Segments, previous: Segments, *, shortest: float 
             result.append(kept)
             result.sort(key=lambda segment: segment.start)
     return _with_names(_join_slivers(result, shortest), previous)
+
+
+def join_short(segments: Segments, *, shortest: float = SHORTEST) -> Segments:
+    """Return segments of which each that is shorter than `shortest` has joined its longer neighbour."""
+    return _join_slivers(list(segments), shortest)
 
 
 def _without(segment: Segment, kept: Segment) -> list[Segment]:

@@ -12,6 +12,7 @@ import click
 from bobdesk import __version__
 from bobdesk.cli.window import open_window, wants_window
 from bobdesk.errors import InputError, TargetError
+from bobdesk.sentences import ended
 
 DONE, WRONG_CALL, UNUSABLE_INPUT, UNMET_TARGETS = 0, 2, 3, 4
 
@@ -24,6 +25,7 @@ COMMANDS = {
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
     "study": "Solve plans in many ways: segment counts, weights, methods, known elevations.",
     "published": "The paper's tables beside what our methods make of the same targets.",
+    "rules": "Judge a 3D line by design rules, each with its source.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
     "selftest": "Try out what is installed: open the window unseen, and reconstruct a sample.",
@@ -100,6 +102,5 @@ def _say_what_can_be_said() -> None:
 
 
 def _failed(sentence: str, status: int) -> int:
-    text = " ".join(sentence.split())
-    click.echo(f"bobdesk: {text}" if text.endswith(".") else f"bobdesk: {text}.", err=True)
+    click.echo(f"bobdesk: {ended(' '.join(sentence.split()))}", err=True)
     return status

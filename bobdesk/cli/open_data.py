@@ -10,7 +10,8 @@ from typing import Any
 import click
 
 from bobdesk.cli.options import FILE, combined
-from bobdesk.cli.steps import PlanInput, with_progress
+from bobdesk.cli.steps import with_progress
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import watched_methods
 from bobdesk.solve.settings import SolverSettings
 
@@ -31,7 +32,7 @@ open_data_options = combined(
         "--plan-error",
         type=click.FloatRange(0, 0.5),
         metavar="SHARE",
-        show_default="a project's calibration, else 0",
+        show_default="a project's own or its calibration's; else it counts as 0",
         help="1 sigma of the plan's scale for the error budget: 0.002 is 0.2 %.",
     ),
     click.option(

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from bobdesk.alignment.segments import in_words
 from bobdesk.cli.options import FILE, plan_argument, plan_options, segment_options
 from bobdesk.cli.steps import check_outputs, fitted_plan
 from bobdesk.files.atomic import write_atomic
@@ -33,7 +34,4 @@ def command(
     check_outputs([output], inputs=[plan])
     centreline, segments = fitted_plan(plan, spacing=spacing, wavelength=wavelength, count=count, threshold=threshold)
     write_atomic(output, segments_table(centreline, segments))
-    curves = sum(segment.kind == "curve" for segment in segments)
-    click.echo(
-        f"{len(segments)} segments, {curves} of them curves, on {centreline.length:.2f} m of plan; written to {output}"
-    )
+    click.echo(f"{in_words(segments)}, on {centreline.length:.2f} m of plan; written to {output}")

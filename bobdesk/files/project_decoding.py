@@ -8,6 +8,7 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
+from bobdesk.alignment.design import MOST_CURVES, DesignCurve, DesignList
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment, Segments, check_segments
@@ -43,7 +44,9 @@ from bobdesk.project.runs import (
 )
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
+from bobdesk.track.design_rules import Rule, check_rule
 from bobdesk.track.figures import Figures
+from bobdesk.track.sled import Sled, check_sled
 
 Blobs = Callable[[str], bytes]
 Value = TypeVar("Value")
@@ -158,7 +161,11 @@ def _project(found: schema.Document, tables: _Tables) -> Project:
         runs=tuple(_run(run, tables) for run in found.runs),
         chosen_run=found.chosen_run,
         actual=None if actual is None else ActualTrack(actual.name, np.array(actual.points).reshape(-1, 3)),
+        design=None if found.design is None else _design(found.design),
         export=ExportChoice() if found.export is None else _built(ExportChoice, found.export),
+        plan_error=found.plan_error,
+        rules=None if found.rules is None else tuple(check_rule(_built(Rule, rule)) for rule in found.rules),
+        sled=Sled() if found.sled is None else check_sled(_built(Sled, found.sled)),
     )
 
 
@@ -195,6 +202,13 @@ def _source(found: schema.SourceEntry) -> SourceLine:
 def _segments(found: list[schema.SegmentEntry]) -> Segments:
     segments = tuple(_built(Segment, segment) for segment in found)
     return check_segments(segments, length=segments[-1].end if segments else 0.0)
+
+
+def _design(found: schema.DesignEntry) -> DesignList:
+    curves = tuple(_built(DesignCurve, curve) for curve in found.curves)
+    if not 0 < len(curves) <= MOST_CURVES or any(not (curve.length > 0 and curve.radius > 0) for curve in curves):
+        raise ValueError("the designer's list of curves makes no sense")
+    return DesignList(found.name, curves, found.offset)
 
 
 def _solver(found: schema.SolverEntry) -> SolverSettings:

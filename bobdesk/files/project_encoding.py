@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import msgspec
 import numpy as np
 
+from bobdesk.alignment.design import DesignList
 from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
 from bobdesk.files.npy import npy_bytes
@@ -77,6 +78,9 @@ def _document(project: Project) -> schema.Document:
         runs=[_run(run) for run in project.runs],
         actual=None if actual is None else _actual(actual),
         export=_entry(schema.ExportEntry, project.export),
+        rules=None if project.rules is None else _entries(schema.RuleEntry, project.rules),
+        sled=_entry(schema.SledEntry, project.sled),
+        design=None if project.design is None else _design(project.design),
     )
 
 
@@ -104,6 +108,10 @@ def _source(source: SourceLine) -> schema.SourceEntry:
 @lru_cache(maxsize=4)
 def _actual(actual: ActualTrack) -> schema.ActualEntry:
     return _entry(schema.ActualEntry, actual, points=_rows(actual.points))
+
+
+def _design(design: DesignList) -> schema.DesignEntry:
+    return _entry(schema.DesignEntry, design, curves=_entries(schema.DesignCurveEntry, design.curves))
 
 
 def _solver(settings: SolverSettings) -> schema.SolverEntry:

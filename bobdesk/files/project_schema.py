@@ -139,6 +139,7 @@ class LimitsEntry(_Strict):
 
     min_gradient: float
     max_gradient: float
+    gradient_change: float | None = None
 
 
 class KnownEntry(_Strict):
@@ -280,6 +281,47 @@ class ExportEntry(_Strict):
     spacing: float | None
 
 
+class RuleEntry(_Strict):
+    """A design Rule."""
+
+    name: str
+    quantity: Literal["length", "mean gradient", "gradient", "speed", "acceleration", "curves"]
+    lowest: float | None
+    highest: float | None
+    start: float
+    end: float | None
+    source: str
+    is_used: bool
+
+
+class SledEntry(_Strict):
+    """A Sled."""
+
+    mass: float
+    drag_area: float
+    friction: float
+    start_speed: float
+    air_density: float
+
+
+class DesignCurveEntry(_Strict):
+    """A DesignCurve."""
+
+    start: float
+    length: float
+    radius: float
+    side: Literal["left", "right"] | None
+    name: str
+
+
+class DesignEntry(_Strict):
+    """A DesignList."""
+
+    name: str
+    curves: list[DesignCurveEntry]
+    offset: float
+
+
 class Document(_Strict):
     """A Project."""
 
@@ -307,3 +349,7 @@ class Document(_Strict):
     chosen_run: int | None
     actual: ActualEntry | None
     export: ExportEntry | None = None
+    plan_error: float | None = None
+    rules: list[RuleEntry] | None = None
+    sled: SledEntry | None = None
+    design: DesignEntry | None = None

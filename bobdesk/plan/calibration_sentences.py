@@ -11,6 +11,7 @@ from bobdesk.plan.affine_check import AffineCheck
 from bobdesk.plan.calibration import Calibration, DistanceCheck, plan_length_sigma
 from bobdesk.plan.calibration_fit import CalibrationFit
 from bobdesk.plan.control_points import ControlPoint
+from bobdesk.sentences import counted
 
 NO_ESTIMATE = "no error estimate possible"
 _PROBABLE = 0.05
@@ -27,7 +28,7 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
     points = sum(point.used for point in fit.points)
     distances = sum(known.used for known in fit.distances)
     given = " and ".join(
-        _counted(count, noun) for count, noun in ((points, "control point"), (distances, "known distance")) if count
+        counted(count, noun) for count, noun in ((points, "control point"), (distances, "known distance")) if count
     )
     if fit.rms_m is None or fit.rms_px is None:
         return (
@@ -36,7 +37,7 @@ def calibration_sentences(fit: CalibrationFit, *, plan_length_m: float | None = 
         )
     sentences = [
         f"Residuals {fit.rms_m:.3g} m RMS ({fit.rms_px:.2g} px) from {given}, "
-        f"{_counted(fit.degrees_of_freedom, 'degree')} of freedom.",
+        f"{counted(fit.degrees_of_freedom, 'degree')} of freedom.",
         f"Scale {_scale(fit.calibration)}.",
     ]
     if plan_length_m is not None:
@@ -98,7 +99,3 @@ def _scale(calibration: Calibration) -> str:
     if percent < _EXACT_PERCENT:
         return f"{calibration.metres_per_pixel:.6g} m per pixel, exact"
     return f"{calibration.metres_per_pixel:.6g} m per pixel ± {percent:.2g} % (1 sigma)"
-
-
-def _counted(count: int, noun: str) -> str:
-    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"

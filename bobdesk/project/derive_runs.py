@@ -16,6 +16,7 @@ from bobdesk.project import derive
 from bobdesk.project.digest import inputs_digest, of_segments
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
+from bobdesk.sentences import listed
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, envelope
 from bobdesk.solve.iterates import Solution
@@ -47,8 +48,7 @@ def why_out_of_date(project: Project, run: Run) -> str | None:
     ]
     if not changed:
         return None
-    listed = changed[0] if len(changed) == 1 else f"{', '.join(changed[:-1])} and {changed[-1]}"
-    return f"{listed} changed since this run"
+    return f"{listed(changed)} changed since this run"
 
 
 def _same_segments(project: Project, run: Run) -> bool:

@@ -7,6 +7,7 @@ history with a label.
 
 from __future__ import annotations
 
+from bobdesk.project.design_edits import compare_with_design, compare_with_no_design, move_design
 from bobdesk.project.line_edits import (
     cut_final_climb,
     delete_line,
@@ -34,12 +35,20 @@ from bobdesk.project.picture_edits import (
     redraw_page,
     write_notes,
 )
+from bobdesk.project.rule_edits import (
+    add_rule,
+    change_rule,
+    remove_rule,
+    set_rules,
+    set_sled,
+)
 from bobdesk.project.run_edits import (
     choose_export,
     choose_run,
     keep_run,
     name_run,
     remove_run,
+    take_over_run,
 )
 from bobdesk.project.scale_edits import (
     add_check_distance,
@@ -86,10 +95,12 @@ from bobdesk.project.target_edits import (
     remove_known_elevation,
     remove_target_set,
     set_drop,
+    set_gradient_change,
     set_known_elevations,
     set_length,
     set_limits,
     set_mean_gradient,
+    set_plan_error,
     set_solver,
 )
 
@@ -98,16 +109,20 @@ __all__ = [
     "add_control_point",
     "add_known_distance",
     "add_known_elevation",
+    "add_rule",
     "add_target_set",
     "change_check_distance",
     "change_control_point",
     "change_known_distance",
     "change_known_elevation",
+    "change_rule",
     "choose_export",
     "choose_run",
     "choose_scale_way",
     "choose_target_set",
     "compare_with",
+    "compare_with_design",
+    "compare_with_no_design",
     "compare_with_nothing",
     "cut_final_climb",
     "delete_boundary",
@@ -126,6 +141,7 @@ __all__ = [
     "merge_segments",
     "move_boundary",
     "move_control_point",
+    "move_design",
     "move_vertex",
     "move_vertices",
     "name_project",
@@ -141,6 +157,7 @@ __all__ = [
     "remove_control_point",
     "remove_known_distance",
     "remove_known_elevation",
+    "remove_rule",
     "remove_run",
     "remove_target_set",
     "reverse_line",
@@ -152,17 +169,22 @@ __all__ = [
     "set_control_points",
     "set_drop",
     "set_finish",
+    "set_gradient_change",
     "set_known_elevations",
     "set_length",
     "set_limits",
     "set_mean_gradient",
+    "set_plan_error",
+    "set_rules",
     "set_segmentation",
     "set_segments",
+    "set_sled",
     "set_smoothing",
     "set_solver",
     "set_spacing",
     "set_start",
     "split_segment",
+    "take_over_run",
     "take_trace",
     "use_automatic_segments",
     "use_control_point",

@@ -35,7 +35,7 @@ def merge_segments(project: Project, first: int, last: int) -> Project:
 def delete_boundary(project: Project, boundary: int) -> Project:
     """Make one segment of the two at the boundary behind the segment `boundary`."""
     if not 0 <= boundary < len(_segments(project)) - 1:
-        raise InputError("the line's ends are no boundaries between segments")
+        raise InputError("the ends of the line are not boundaries between segments")
     return merge_segments(project, boundary, boundary + 1)
 
 
@@ -106,16 +106,21 @@ def set_segmentation(project: Project, settings: SegmentationSettings) -> Projec
     """Change threshold, wanted number, shortest segment or rule, and detect with them; corrections stay."""
     numbers = (settings.threshold or 0.0, settings.change_cost, settings.shortest)
     if not all(math.isfinite(number) for number in numbers):
-        raise InputError("a setting of the segments is no number")
+        raise InputError("a setting of the segmentation is not a number")
     if settings == project.segmentation:
         return project
     return detect_again(replace(project, segmentation=settings))
 
 
 def set_segments(project: Project, segments: Segments) -> Project:
-    """Take all segments from a file; they count as made by hand."""
+    """Take all segments from a file; they count as made by hand.
+
+    Those that are shorter than a segment may be made by hand join their longer neighbour.
+    """
     line = derive.centreline(project).needed()
     checked = check_segments(segments, length=line.length)
+    loose = tuple(replace(segment, by_hand=False) for segment in checked)
+    checked = alignment.join_short(loose, shortest=shortest_by_hand(project))
     return replace(project, segments=tuple(replace(segment, by_hand=True) for segment in checked))
 
 

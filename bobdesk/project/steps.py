@@ -6,9 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from bobdesk.alignment.segments import in_words
 from bobdesk.project import derive
 from bobdesk.project.derive_runs import why_out_of_date
 from bobdesk.project.project import Project
+from bobdesk.sentences import as_sentence
 
 StepName = Literal["Plan", "Scale", "Centreline", "Segments", "Solve", "Export"]
 StepState = Literal["done", "next", "later", "out of date"]
@@ -85,9 +87,8 @@ def _segments(project: Project) -> _Look:
     found = derive.segments(project)
     if found.value is None:
         return _Look("open", _sentence(found.problem))
-    curves = sum(segment.kind == "curve" for segment in found.value)
     how = "found automatically" if project.segments is None else "set by hand"
-    return _Look("done", f"{len(found.value)} segments, {curves} of them curves, {how}.")
+    return _Look("done", f"{in_words(found.value)}, {how}.")
 
 
 def _solve(project: Project) -> _Look:
@@ -111,8 +112,7 @@ def _export(project: Project) -> _Look:
 
 
 def _sentence(text: str | None) -> str:
-    text = text or "Something is missing"
-    return text[0].upper() + text[1:] + ("" if text.endswith(".") else ".")
+    return as_sentence(text or "something is missing")
 
 
 _LOOKS: dict[StepName, Callable[[Project], _Look]] = {

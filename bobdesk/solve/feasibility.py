@@ -8,6 +8,7 @@ from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import TargetError
 from bobdesk.progress import finish
+from bobdesk.sentences import as_sentence
 from bobdesk.solve.pgd import find_scale, reach
 from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import Targets
@@ -61,7 +62,7 @@ def feasibility(
     try:
         shortest, longest = finish(reach(centreline, segments, targets, settings, scale=scale))
     except TargetError as error:
-        return Feasibility(False, _as_sentence(str(error)), None, agreeing, plan)
+        return Feasibility(False, as_sentence(str(error)), None, agreeing, plan)
     within = bool(shortest * (1 - 1e-7) <= targets.length <= longest * (1 + 1e-7))
     feasible = within or targets.unknown_scale
     if targets.unknown_scale:
@@ -96,7 +97,7 @@ def _without_scale(centreline: Centreline, segments: Segments, targets: Targets,
     try:
         finish(find_scale(centreline, segments, targets, settings))
     except TargetError as error:
-        return _as_sentence(str(error))
+        return as_sentence(str(error))
     return "No scale of this plan meets length and drop."
 
 
@@ -140,7 +141,3 @@ def _about_mean_gradient(targets: Targets, plan: float) -> str:
         f" The mean gradient of {100 * targets.mean_gradient:.2f} % does not follow from the other figures:"
         f" {what} is {100 * follows:.2f} %; one of the three is wrong, or it is defined otherwise."
     )
-
-
-def _as_sentence(text: str) -> str:
-    return text[0].upper() + text[1:] + ("" if text.endswith(".") else ".")

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from decimal import Decimal
+from typing import TYPE_CHECKING
 
-from bobdesk.alignment.centreline import Centreline
-from bobdesk.alignment.length_error import length_sigma_of_vertices
 from bobdesk.solve.targets import Targets
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
 
 
 @dataclass(frozen=True)
@@ -23,16 +25,19 @@ class InputErrors:
         Of the plan length, from clicks or trace, m.
     length_rounding, drop_rounding
         Half a unit of the last decimal place of the figures, m.
+    unknown
+        Sources of which nothing is known, so that they count as 0.
     """
 
     scale: float = 0.0
     digitising: float = 0.0
     length_rounding: float = 0.0
     drop_rounding: float = 0.0
+    unknown: tuple[str, ...] = ()
 
 
 def input_errors(
-    line: Centreline, targets: Targets, *, vertices: int, wavelength: float, scale: float = 0.0
+    line: Centreline, targets: Targets, *, vertices: int, wavelength: float, scale: float | None = None
 ) -> InputErrors:
     """Return what can be said of a fitted line and its targets.
 
@@ -43,11 +48,21 @@ def input_errors(
     targets
         As they were written: their decimal places say how far they are rounded.
     scale
-        1 sigma of the plan's scale, as a share.
+        1 sigma of the plan's scale, as a share; None if nothing is known of it.
     """
+    # Imported here, for a project's rules count figures' decimal places before scipy is loaded.
+    from bobdesk.alignment.length_error import length_sigma_of_vertices
+
     distance = line.length / max(vertices - 1, 1)
     digitising = length_sigma_of_vertices(line, vertex_distance=distance, wavelength=wavelength)
-    return InputErrors(scale, digitising or 0.0, half_unit(targets.length), half_unit(targets.drop))
+    sources = {"digitising": digitising, "calibration": 0.0 if targets.unknown_scale else scale}
+    return InputErrors(
+        scale=scale or 0.0,
+        digitising=digitising or 0.0,
+        length_rounding=half_unit(targets.length),
+        drop_rounding=half_unit(targets.drop),
+        unknown=tuple(name for name, sigma in sources.items() if sigma is None),
+    )
 
 
 def half_unit(figure: float) -> float:

@@ -106,6 +106,14 @@ class Task:
     actual: FloatArray | None = None
 
 
+@dataclass(frozen=True)
+class Unready:
+    """A cell that cannot even be begun, and why: its plan has no such number of segments."""
+
+    cell: Cell
+    problem: str
+
+
 def cells(
     plans: Sequence[str],
     counts: Sequence[int | None],
@@ -146,8 +154,10 @@ def task_of(
     return Task(cell, centreline, segments, replace(targets, known=(*targets.known, *known)), chosen, factor, actual)
 
 
-def solve_task(task: Task, methods: tuple[SolverMethod, ...] = METHODS) -> tuple[str, ...]:
+def solve_task(task: Task | Unready, methods: tuple[SolverMethod, ...] = METHODS) -> tuple[str, ...]:
     """Solve a cell and return its row, as text; a cell that fails is a row with its reason."""
+    if isinstance(task, Unready):
+        return failed_row(task.cell, task.problem)
     try:
         # What runs off to infinity fails below, and needs no warning on a terminal.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):

@@ -29,6 +29,7 @@ from bobdesk.ui.solving import solving_of
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
+from bobdesk.ui.studies.beside_windows import BesideWindows
 from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
@@ -62,6 +63,7 @@ class MainWindow(QMainWindow):
             settings=settings,
             quantities=Quantities(settings, self),
         )
+        self.beside = BesideWindows(self.desk, data_folder, self)
         self._may_close = False
         self._forget_copy = True
         self.questions = Questions(settings, self)
@@ -84,11 +86,9 @@ class MainWindow(QMainWindow):
 
     def go_to(self, step: StepName) -> None:
         """Show a step's panel; the keyboard leaves the panel before, and no field takes it unasked."""
-        was_in_panel = self.panels.has_focus
-        is_another = self.panels.show_step(step)
-        view = self.views.currentWidget()
-        if is_another and was_in_panel and view is not None:
-            view.setFocus(Qt.FocusReason.OtherFocusReason)
+        was_in_panel = self.panels.focus() is not None
+        if self.panels.show_step(step) and was_in_panel:
+            self.views.take_focus()
         self.steps_bar.show_step(step)
         self.layout_of_window.panel_dock.setWindowTitle(self.steps_bar.title_of(step))
         self.layout_of_window.panel_dock.show()
@@ -147,6 +147,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.guide.close()
+        self.beside.close()
         self.layout_of_window.remember()
         self.desk.runner.close()
         self.documents.close(forget_copy=self._forget_copy)
@@ -209,6 +210,8 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self._on_state)
         session.refused.connect(self.desk.notices.error)
         self.steps_bar.chosen.connect(self.go_to)
+        # The guide's key acts in the other windows, too.
+        self.beside.made.connect(lambda made: made.addAction(self.actions_by_name["guide"]))
         self.view.pointer_moved.connect(self.status.show_place)
         self.view.said.connect(self.status.say)
         self.desk.selection.vertices_changed.connect(self.actions_by_name.refresh)

@@ -1,14 +1,16 @@
-"""The sentences to the user, stacked above the plan view, newest first."""
+"""The sentences to the user, stacked above the plan view, newest first; what is more than a few lines is scrolled."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAccessible, QAccessibleEvent, QHideEvent, QKeyEvent, QShowEvent
+from PySide6.QtGui import QAccessible, QAccessibleEvent, QHideEvent, QKeyEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
+    QFrame,
     QHBoxLayout,
     QLabel,
     QPushButton,
+    QScrollArea,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -21,6 +23,7 @@ from bobdesk.ui.notices import Notice, Notices, Remedy
 from bobdesk.ui.widgets.long_names import breakable
 
 _MOST_SHOWN = 4
+_MOST_LINES = 7
 _NOTE_LASTS_MS = 6000
 
 
@@ -130,10 +133,18 @@ class NoticeBar(QWidget):
         self.setObjectName("notice-bar")
         self.setAccessibleName(self.tr("Notices"))
         self._rows: list[NoticeRow] = []
-        self._stack = QVBoxLayout(self)
+        inside = QWidget()
+        inside.installEventFilter(self)
+        self._stack = QVBoxLayout(inside)
         self._stack.setContentsMargins(6, 6, 6, 6)
         self._stack.setSpacing(4)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
+        self._scrolled = QScrollArea(self)
+        self._scrolled.setFrameShape(QFrame.Shape.NoFrame)
+        self._scrolled.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._scrolled.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._scrolled.setWidgetResizable(True)
+        self._scrolled.setWidget(inside)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.hide()
         notices.told.connect(self.show_notice)
 
@@ -143,8 +154,8 @@ class NoticeBar(QWidget):
         return tuple(row.notice for row in self._rows)
 
     def show_notice(self, notice: Notice) -> None:
-        """Put a notice at the top; one that says the same gives way to it."""
-        for row in [row for row in self._rows if row.notice.sentence == notice.sentence]:
+        """Put a notice at the top; one of the same kind gives way to it."""
+        for row in [row for row in self._rows if row.notice.kind == notice.kind]:
             self._drop(row)
         while len(self._rows) >= _MOST_SHOWN:
             notes = [row for row in self._rows if row.notice.weight == "note"]
@@ -155,6 +166,8 @@ class NoticeBar(QWidget):
         self._stack.insertWidget(0, row)
         row.show()
         self.show()
+        self._fit()
+        self._scrolled.verticalScrollBar().setValue(0)
         self._set_tab_order()
         _announce(row)
 
@@ -176,6 +189,27 @@ class NoticeBar(QWidget):
         row.hide()
         row.deleteLater()
         self.setVisible(bool(self._rows))
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Follow the notices when their letters or buttons become known."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Be as high as the sentences are in another width."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Be as high as the notices, but never so high that the plan goes out of sight."""
+        self._stack.activate()
+        needed = self._stack.heightForWidth(self.width()) if self._stack.hasHeightForWidth() else 0
+        needed = max(needed, self._stack.minimumSize().height())
+        self.setFixedHeight(min(needed, _MOST_LINES * self.fontMetrics().lineSpacing()))
+        # Not by a layout: Qt wants room for scroll bars, which is more than one short sentence needs.
+        self._scrolled.setGeometry(self.rect())
 
     def _set_tab_order(self) -> None:
         for before, after in zip(self._rows, self._rows[1:], strict=False):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
 from PySide6.QtCore import QObject, Signal
 
+from bobdesk.sentences import ended
+
+_NUMBERS_AND_QUOTES = re.compile(r"'[^']*'|[-−]?\d[\d.,’\u00a0\u202f]*(?<![.,])")
 Weight = Literal["note", "warning", "error"]
 
 
@@ -27,6 +31,11 @@ class Notice:
     weight: Weight
     remedies: tuple[Remedy, ...] = ()
     stays: bool = False
+
+    @property
+    def kind(self) -> tuple[Weight, str]:
+        """Equal for notices that say the same of other numbers or other typed text: the newest of them is enough."""
+        return self.weight, _NUMBERS_AND_QUOTES.sub("#", self.sentence)
 
 
 class Notices(QObject):
@@ -62,5 +71,5 @@ class Notices(QObject):
             # the name of a file begins as it does
             is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
             first = sentence[0] if is_name else sentence[0].upper()
-            whole = first + sentence[1:] + ("" if sentence[-1] in ".!?…" else ".")
+            whole = first + ended(sentence[1:])
             self.told.emit(Notice(whole, weight, remedies, stays))

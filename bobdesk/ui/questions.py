@@ -100,6 +100,21 @@ class Questions(QObject):
         cancel = box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
         return self._pressed(box, default=cancel, escape=cancel) is overwrite
 
+    def stop_work(self, text: str, consequence: str) -> bool:
+        """Say what is at work and what becomes of it; return whether it shall be stopped."""
+        box = self._box(text)
+        box.setInformativeText(consequence)
+        stop = box.addButton(self.tr("Stop and close"), QMessageBox.ButtonRole.AcceptRole)
+        stay = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.RejectRole)
+        return self._pressed(box, default=stay, escape=stay) is stop
+
+    def files_to_open(self, purpose: str, title: str, filters: str) -> list[Path]:
+        """Ask for any number of files to read."""
+        chosen, _ = QFileDialog.getOpenFileNames(self._window, title, self._settings.folder(purpose), filters)
+        if chosen:
+            self._settings.set_folder(purpose, Path(chosen[0]).parent)
+        return [Path(name) for name in chosen]
+
     def file_to_open(self, purpose: str, title: str, filters: str) -> Path | None:
         """Ask for a file to read; `purpose` remembers the folder."""
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, self._settings.folder(purpose), filters)

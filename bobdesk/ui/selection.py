@@ -1,4 +1,7 @@
-"""What is selected, and the cursor along the line: one thing across plan, strips and tables; never undone."""
+"""What is selected, and the cursor along the line: one thing across plan, strips and tables; never undone.
+
+A selected boundary selects the two segments beside it; whoever selects other segments deselects it.
+"""
 
 from __future__ import annotations
 
@@ -8,11 +11,12 @@ from PySide6.QtCore import QObject, Signal
 
 
 class Selection(QObject):
-    """Selected vertices, segments, boundary and control point, and the station under the cursor.
+    """Selected vertices, segments, boundary, control point and stretch, and the station under the cursor.
 
     Signals
     -------
-    vertices_changed, segments_changed, boundary_changed, control_point_changed, station_changed
+    vertices_changed, segments_changed, boundary_changed, control_point_changed, station_changed,
+    stretch_changed
         One of them is another one than before.
     """
 
@@ -21,6 +25,7 @@ class Selection(QObject):
     boundary_changed = Signal()
     control_point_changed = Signal()
     station_changed = Signal()
+    stretch_changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -29,6 +34,7 @@ class Selection(QObject):
         self._boundary: int | None = None
         self._control_point: int | None = None
         self._station: float | None = None
+        self._stretch: tuple[float, float] | None = None
 
     @property
     def vertices(self) -> tuple[int, ...]:
@@ -53,6 +59,7 @@ class Selection(QObject):
         if found != self._segments:
             self._segments = found
             self.segments_changed.emit()
+            self.boundary = None
 
     @property
     def boundary(self) -> int | None:
@@ -64,6 +71,11 @@ class Selection(QObject):
         if index != self._boundary:
             self._boundary = index
             self.boundary_changed.emit()
+
+    def select_boundary(self, index: int) -> None:
+        """Select a boundary with the segments at both its sides."""
+        self.segments = (index, index + 1)
+        self.boundary = index
 
     @property
     def control_point(self) -> int | None:
@@ -87,6 +99,17 @@ class Selection(QObject):
             self._station = station
             self.station_changed.emit()
 
+    @property
+    def stretch(self) -> tuple[float, float] | None:
+        """First and last station of a stretch of the centreline that strips and plan mark together, m."""
+        return self._stretch
+
+    @stretch.setter
+    def stretch(self, stretch: tuple[float, float] | None) -> None:
+        if stretch != self._stretch:
+            self._stretch = stretch
+            self.stretch_changed.emit()
+
     def clear(self) -> None:
         """Select nothing."""
         self.vertices = ()
@@ -94,3 +117,4 @@ class Selection(QObject):
         self.boundary = None
         self.control_point = None
         self.station = None
+        self.stretch = None

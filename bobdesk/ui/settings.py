@@ -147,6 +147,14 @@ class Settings(QObject):
         """Remember a yes or no of the window."""
         self._set(f"window/{name}", value)
 
+    def text_of(self, name: str) -> str:
+        """Return a remembered text of the window; "" if there is none."""
+        return self._text(f"window/{name}")
+
+    def set_text(self, name: str, value: str) -> None:
+        """Remember a text of the window."""
+        self._store.setValue(f"window/{name}", value)
+
     def bytes_of(self, name: str) -> QByteArray:
         """Return remembered bytes of the window (geometry, docks); empty if there are none."""
         value = self._store.value(f"window/{name}")

@@ -7,7 +7,7 @@ from weakref import WeakKeyDictionary, WeakSet
 
 from PySide6.QtCore import QObject, Signal
 
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Layout, Run
 from bobdesk.ui.desk import Desk
@@ -16,27 +16,14 @@ from bobdesk.ui.solving import line_of, solving_of
 from bobdesk.ui.theme import colours
 
 if TYPE_CHECKING:
-    from bobdesk.solve.envelope import Envelope
     from bobdesk.solve.iterates import Iterate
     from bobdesk.track.centreline3d import Centreline3D
 
 
-class RunDrawing:
-    """What is worked out of one run to be drawn: its line and its band."""
+def _drawn(run: Run) -> Centreline3D:
+    from bobdesk.project.derive_runs import run_line
 
-    def __init__(self, line: Centreline3D, band: Envelope | None) -> None:
-        self.line = line
-        self.band = band
-
-
-def _drawn(run: Run) -> RunDrawing:
-    from bobdesk.project.derive_runs import run_envelope, run_line
-
-    try:
-        band = run_envelope(run) if run.inputs.settings.method == "pgd" else None
-    except TargetError:
-        band = None
-    return RunDrawing(run_line(run), band)
+    return run_line(run)
 
 
 class ShownResult(QObject):
@@ -56,7 +43,7 @@ class ShownResult(QObject):
         super().__init__(parent)
         self._desk = desk
         self._solving = solving_of(desk)
-        self._drawings: WeakKeyDictionary[Layout, RunDrawing] = WeakKeyDictionary()
+        self._drawings: WeakKeyDictionary[Layout, Centreline3D] = WeakKeyDictionary()
         self._numbers: WeakKeyDictionary[Layout, int] = WeakKeyDictionary()
         self._next_number = 0
         self._overlaid: WeakSet[Layout] = WeakSet()
@@ -94,16 +81,7 @@ class ShownResult(QObject):
             journey = self._solving.journey_of(run)
             if journey is not None:
                 return line_of(journey.line, journey.inputs, self._scrubbed)
-        found = self._drawings.get(run.layout)
-        return None if found is None else found.line
-
-    @property
-    def band(self) -> Envelope | None:
-        """Every elevation that the targets of the shown run allow."""
-        if self.run is None or self.is_live:
-            return None
-        found = self._drawings.get(self.run.layout)
-        return None if found is None else found.band
+        return self._drawings.get(run.layout)
 
     @property
     def colour(self) -> str:
@@ -114,8 +92,7 @@ class ShownResult(QObject):
 
     def line_of_run(self, run: Run) -> Centreline3D | None:
         """Return a run's line if it is worked out already."""
-        found = self._drawings.get(run.layout)
-        return None if found is None else found.line
+        return self._drawings.get(run.layout)
 
     def colour_of(self, run: Run) -> str:
         """Return the one colour of a run."""

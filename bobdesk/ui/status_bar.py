@@ -128,7 +128,8 @@ class StatusBar(QStatusBar):
         shown = [job for job in jobs if time.monotonic() - job.began > _SHOW_AFTER_S]
         if not jobs:
             self._timer.stop()
-        job = shown[0] if shown else None
+        # The youngest: what was begun before it may work for hours.
+        job = shown[-1] if shown else None
         if job is not self._job:
             self._job = job
             if job is not None:

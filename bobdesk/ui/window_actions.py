@@ -16,6 +16,7 @@ from bobdesk.ui.actions.line_actions import LineActions
 from bobdesk.ui.actions.scale_actions import ScaleActions
 from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.actions.solve_actions import SolveActions
+from bobdesk.ui.actions.study_actions import StudyActions
 from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
@@ -49,6 +50,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *ScaleActions(desk, window).table(),
         *SegmentActions(desk, window).table(),
         *SolveActions(desk, window, window.views, window).table(),
+        *StudyActions(desk, window.beside, window).table(),
         *WindowActions(window, window).table(),
         *GuideActions(window.guide, window.plans, window).table(),
         *HelpActions(lambda: window.actions_by_name, desk.settings, window, updates_of(desk)).table(),

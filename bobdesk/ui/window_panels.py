@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QApplication, QStackedWidget, QWidget
 
@@ -15,6 +16,9 @@ from bobdesk.ui.panels.scale_panel import ScalePanel
 from bobdesk.ui.panels.segments_panel import ActionsByName, SegmentsPanel
 from bobdesk.ui.plan_view.view import PlanView
 from bobdesk.ui.plans import Plans
+
+if TYPE_CHECKING:
+    from bobdesk.ui.strips.strip_stack import StripStack
 
 # What the panels ask for, and the tool that does it.
 _TOOLS = {"flags": "set_start", "auto trace": "auto_trace", "live wire": "live_wire", "two edges": "two_edges"}
@@ -34,6 +38,7 @@ class WindowPanels:
         self.stack.setObjectName("panels")
         self.stack.setMinimumWidth(300)
         self._shown: dict[StepName, QWidget] = {}
+        self._strips: StripStack | None = None
         self._makers: dict[StepName, Callable[[], QWidget]] = {
             "Plan": self._plan,
             "Scale": self._scale,
@@ -43,25 +48,22 @@ class WindowPanels:
             "Export": self._export,
         }
 
-    @property
-    def has_focus(self) -> bool:
-        """Whether the keyboard is in a panel."""
-        return self._focus() is not None
-
-    def _focus(self) -> QWidget | None:
-        focus = QApplication.focusWidget()
-        return focus if focus is not None and self.stack.isAncestorOf(focus) else None
+    def focus(self) -> QWidget | None:
+        """Return the control that the keyboard is in, if that is one of a panel."""
+        found = QApplication.focusWidget()
+        return found if found is not None and self.stack.isAncestorOf(found) else None
 
     def show_step(self, step: StepName) -> bool:
         """Show the panel of a step, and on the plan what it is about; return whether it is another panel than before.
 
         What is typed and not taken yet goes to the panel that it was typed into.
         """
-        before = self.stack.currentWidget()
-        focus = self._focus()
-        if focus is not None and step in self._makers and self._shown.get(step) is not before:
-            focus.clearFocus()
+        before, typed_into = self.stack.currentWidget(), self.focus()
+        if step in self._makers and self._shown.get(step) is not before and typed_into is not None:
+            typed_into.clearFocus()
         self._view.show_step(step)
+        if self._strips is not None:
+            self._strips.let_go()
         if step not in self._makers:
             return False
         if step not in self._shown:
@@ -80,12 +82,14 @@ class WindowPanels:
 
     def strips(self) -> QWidget:
         """Return the strips by station; the plots' library is loaded with them, not before."""
+        from bobdesk.ui.solve.open_strips import OpenStrips
         from bobdesk.ui.solve.result_strips import ResultStrips
         from bobdesk.ui.strips.strip_stack import StripStack
 
-        made = StripStack(self._desk, self.stack)
+        made = self._strips = StripStack(self._desk, self.stack)
         made.set_segment_actions([self._actions()[name] for name in OF_SEGMENTS])
         ResultStrips(self._desk, made)
+        OpenStrips(self._desk, made)
         return made
 
     def _take_tool(self, name: str) -> None:

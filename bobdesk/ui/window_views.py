@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from bobdesk.ui.desk import Desk
@@ -39,6 +39,12 @@ class WindowViews(QStackedWidget):
     def is_in_space(self) -> bool:
         """Whether the view in space is seen."""
         return self._space is not None and self.currentWidget() is self._space
+
+    def take_focus(self) -> None:
+        """Give the keyboard to what is seen."""
+        shown = self.currentWidget()
+        if shown is not None:
+            shown.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def show_document(self, is_open: bool) -> None:
         """Show the plan of a document, or the start page."""

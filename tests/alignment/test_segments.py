@@ -68,7 +68,7 @@ def test_a_boundary_stops_before_the_next_one(to, reached):
 
 @pytest.mark.parametrize("boundary", [-1, 2])
 def test_the_ends_do_not_move(boundary):
-    with pytest.raises(InputError, match="ends are no boundaries"):
+    with pytest.raises(InputError, match="the ends of the line are not boundaries"):
         move_boundary(THREE, boundary, 50)
 
 
@@ -104,8 +104,8 @@ def test_a_locked_segment_refuses_edits(edit, verb):
         ([THREE[0], Segment("curve", 39, 150)], "segment 2 overlaps"),
         ([THREE[0], Segment("curve", 41, 150)], "segment 2 leaves a gap"),
         ([Segment("curve", 1, 150)], "segment 1 leaves a gap"),
-        ([THREE[0], Segment("curve", 40, 40)], "segment 2 ends at 40 m"),
-        ([*THREE, Segment("curve", 150, 140)], "segment 4 ends at 140 m"),
+        ([THREE[0], Segment("curve", 40, 40)], "segment 2 begins at 40.000 m and ends at 40.000 m"),
+        ([*THREE, Segment("curve", 150, 140)], "segment 4 begins at 150.000 m and ends at 140.000 m"),
         (THREE[:2], "end at 100.000 m, but the line is 150.000 m"),
     ],
 )

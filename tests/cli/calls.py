@@ -49,7 +49,8 @@ class Caller:
 
 def one_sentence(err: str) -> str:
     assert err.startswith("bobdesk: "), err
-    assert err.endswith(".\n"), err
+    assert err.endswith((".\n", "?\n")), err
+    assert not err.endswith(("..\n", "?.\n")), err
     assert err.count("\n") == 1, err
     assert "Traceback" not in err
     return err

@@ -71,7 +71,7 @@ TWO_HALVES = b"segment,kind,from_m,to_m\n1,straight,0,300\n2,curve,300,702.1\n"
     ("content", "expected"),
     [
         (None, "no such file"),
-        (b"kind,from_m\nstraight,0\n", "no column to_m"),
+        (b"kind,from_m\nstraight,0\n", "the column to_m is missing; a table of segments needs kind, from_m and to_m"),
         (TWO_HALVES.replace(b"curve", b"bend"), "line 3, column kind holds 'bend'"),
         (TWO_HALVES.replace(b",300,702.1", b",310,702.1"), "leaves a gap"),
         (TWO_HALVES.replace(b",300,702.1", b",290,702.1"), "overlaps"),

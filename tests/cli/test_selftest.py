@@ -41,12 +41,12 @@ class Place:
         return json.loads((self.out / "report.json").read_text(encoding="utf-8"))
 
     def left(self):
-        """What the program has left in home and among temporary files; caches of fonts do not count."""
+        """What the program has left in home and among temporary files; fontconfig's own cache does not count."""
         return [
             path
             for folder in (self.home, self.temporary)
             for path in folder.rglob("*")
-            if path.is_file() and ".cache" not in path.parts
+            if path.is_file() and "fontconfig" not in path.parts
         ]
 
 

@@ -1,17 +1,15 @@
 """What other systems do otherwise, made to happen on this one."""
 
-import io
 import os
 import re
 import subprocess
 import sys
 from pathlib import Path
 
-import ezdxf
 import pytest
 
 from bobdesk.errors import InputError
-from bobdesk.files import atomic, study_run
+from bobdesk.files import atomic, processes
 from bobdesk.files.atomic import write_atomic
 from bobdesk.files.file_names import usable_name
 
@@ -77,16 +75,16 @@ def test_windows_gets_no_more_workers_than_it_can_wait_for(monkeypatch):
     asked = []
 
     class Executor:
-        def __init__(self, workers, mp_context):
+        def __init__(self, workers, **_options):
             asked.append(workers)
 
         def shutdown(self, **_options):
             pass
 
-    monkeypatch.setattr(study_run, "ProcessPoolExecutor", Executor)
+    monkeypatch.setattr(processes, "ProcessPoolExecutor", Executor)
     for platform in ("linux", "win32"):
-        monkeypatch.setattr(study_run.sys, "platform", platform)
-        with study_run.process_executor(128):
+        monkeypatch.setattr(processes.sys, "platform", platform)
+        with processes.process_executor(128):
             pass
     assert asked == [128, 61]
 
@@ -105,20 +103,6 @@ def test_a_worker_needs_no_streams_of_python(tmp_path):
         input=request, capture_output=True, env=environment, timeout=60, check=False,
     )  # fmt: skip
     assert done.stdout.startswith(b'{"error"')
-
-
-def test_reading_a_drawing_leaves_nothing_in_the_users_home(tmp_path):
-    drawing = ezdxf.new()
-    drawing.modelspace().add_polyline3d([(0, 0, 0), (100, 0, -5), (200, 50, -9)])
-    text = io.StringIO()
-    drawing.write(text)
-    environment = os.environ | {"PYTHONPATH": str(ROOT), "HOME": str(tmp_path), "USERPROFILE": str(tmp_path)}
-    done = subprocess.run(
-        [sys.executable, "-m", "bobdesk", "--dxf-worker"],
-        input=text.getvalue().encode(), capture_output=True, env=environment, timeout=60, check=False,
-    )  # fmt: skip
-    assert b'"starts"' in done.stdout
-    assert list(tmp_path.iterdir()) == []
 
 
 # Modules that one system alone has, and the guard that mypy and readers see.

@@ -102,6 +102,7 @@ def test_the_stored_file_of_version_1_still_opens() -> None:
     assert project.trace.suspect.tolist() == [[2, 5], [20, 29]]
     assert project.actual is not None
     assert len(project.actual.points) == 40
+    assert project.design is None
     assert run_line(project.runs[0]).slope_lengths[-1] == pytest.approx(project.runs[0].figures.length, abs=1e-6)
 
 
@@ -175,7 +176,7 @@ def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypat
     def refused(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(atomic.tempfile, "mkstemp", refused)
+    monkeypatch.setattr(atomic, "new_file", refused)
     with pytest.raises(InputError, match="cannot be written: permission denied"):
         save_project(Project(), tmp_path / "a.bobdesk")
     assert list(tmp_path.iterdir()) == []

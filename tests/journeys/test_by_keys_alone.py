@@ -157,12 +157,12 @@ def test_from_coordinates_to_csv_without_a_mouse(opened, tmp_path):
 
     # The guide, read and closed; the project, saved; the program, left.
     keyboard.press("F1")
-    program.until("window.guide._window is not None and window.guide._window.isActiveWindow()")
-    assert program.ask("window.guide._window.browser.page.name") == "export.md"
+    program.until("window.guide.window is not None and window.guide.window.isActiveWindow()")
+    assert program.ask("window.guide.window.browser.page.name") == "export.md"
     keyboard.press("ctrl+f")
     keyboard.type("decimal comma")
     keyboard.press("Return")
-    program.until("window.guide._window.browser.page.name in ('export.md', 'questions.md')")
+    program.until("window.guide.window.browser.page.name in ('export.md', 'questions.md')")
     keyboard.press("ctrl+w")
     program.until("window.isActiveWindow()")
     keyboard.press("ctrl+s")

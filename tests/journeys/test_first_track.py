@@ -55,8 +55,8 @@ def test_the_first_track_comes_out_as_the_page_says(opened, tmp_path):
 
     # The page itself, from the start page.
     program.click_on("First track in ten minutes")
-    program.until("window.guide._window is not None and window.guide._window.isActiveWindow()")
-    assert program.ask("window.guide._window.browser.page.name") == "first-track.md"
+    program.until("window.guide.window is not None and window.guide.window.isActiveWindow()")
+    assert program.ask("window.guide.window.browser.page.name") == "first-track.md"
     program.key("ctrl+w")
     program.until("window.isActiveWindow()")
 

@@ -115,3 +115,49 @@ def test_every_control_has_a_name(bar: NoticeBar, notices: Notices) -> None:
     shown = row(bar, "Broken.")
     assert shown.close_button.accessibleName()
     assert shown.accessibleName() == "Broken."
+
+
+@pytest.mark.parametrize(
+    ("first", "then"),
+    [
+        ("Segment 3 is locked, so this boundary stays.", "Segment 12 is locked, so this boundary stays."),
+        ("a cut at 12.5 m would leave 3 m", "a cut at 1,234.25 m would leave 3 m"),
+        ("'abc' is not a number; write it like 12.5", "'d e' is not a number; write it like 12.5"),
+        ("It ends at 5.", "It ends at −17.25."),
+    ],
+)
+def test_the_same_refusal_of_other_numbers_replaces_the_earlier_one(bar, notices, first, then):
+    notices.warn("Something else.")
+    notices.note(first)
+    notices.note(then)
+    assert len(bar.shown) == 2
+    assert bar.shown[0].sentence.lower().startswith(then.lower().rstrip("."))
+
+
+def test_other_refusals_and_other_weights_stay(bar, notices):
+    notices.note("Segment 3 is locked.")
+    notices.warn("Segment 4 is locked.")
+    notices.note("Segment 3 is short.")
+    assert len(bar.shown) == 3
+
+
+def test_many_long_notices_are_scrolled_within_a_bounded_height(qtbot, bar, notices):
+    long = "There is much to say of this, more than fits in one line of a window that is not wide. " * 3
+    for number in range(4):
+        notices.error("abcd"[number] + long)
+    qtbot.waitUntil(lambda: bar.height() > 0)
+    assert len(bar.shown) == 4
+    assert bar.height() <= 7 * bar.fontMetrics().lineSpacing()
+    last = row(bar, bar.shown[3].sentence)
+    assert last.visibleRegion().isEmpty()
+    last.close_button.setFocus()
+    bar.clear()
+    assert not bar.isVisible()
+
+
+def test_one_notice_takes_no_more_room_than_it_needs(qtbot, bar, notices):
+    notices.note("Short.")
+    qtbot.waitUntil(lambda: row(bar, "Short.").height() > 0)
+    assert bar.height() <= row(bar, "Short.").sizeHint().height() + 12
+    shown = row(bar, "Short.")
+    assert shown.visibleRegion().boundingRect().height() == shown.height()

@@ -29,7 +29,7 @@ def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
     request, answer = worker_streams()
     _limit_this_process()
-    with _without_fonts():
+    with _no_fonts():
         from bobdesk.files.importers.dxf_entities import dxf_paths
 
     data = request.read()
@@ -49,16 +49,16 @@ def main() -> int:
 
 
 @contextlib.contextmanager
-def _without_fonts() -> Iterator[None]:
-    """Have ezdxf believe that it has looked at all fonts.
+def _no_fonts() -> Iterator[None]:
+    """Tell ezdxf that there are no fonts, which lines do not need.
 
-    It would read every font of the system when it is imported for the first time, which may take longer than a drawing
-    may, and leave what it found in the user's home. Lines have no fonts.
+    When it is loaded, it would look into every font of the computer, which takes longer than a drawing may where
+    there are thousands, and would leave what it found in the user's home.
     """
-    with tempfile.TemporaryDirectory(prefix="bobdesk-") as folder:
-        known = Path(folder, "ezdxf", "font_manager_cache.json")
-        known.parent.mkdir()
-        known.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
+    with tempfile.TemporaryDirectory(prefix="bobdesk-", ignore_cleanup_errors=True) as folder:
+        cache = Path(folder) / "ezdxf" / "font_manager_cache.json"
+        cache.parent.mkdir()
+        cache.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
         os.environ["XDG_CACHE_HOME"] = folder
         yield
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from bobdesk.alignment.segments import Kind, Segment, Segments, check_segments
 from bobdesk.errors import InputError
 from bobdesk.files.importers.table import read_table
+from bobdesk.sentences import are_missing
 
 _NEAR_END = 0.002
 
@@ -26,7 +27,7 @@ def read_segments(path: Path, *, length: float, scale: float = 1.0) -> Segments:
     header = table.header or []
     missing = [name for name in ("kind", "from_m", "to_m") if name not in header]
     if missing:
-        raise InputError(f"{path}: there is no column {' and '.join(missing)}; a list of segments needs all three")
+        raise InputError(f"{path}: {are_missing(missing)}; a table of segments needs kind, from_m and to_m")
     kind = header.index("kind")
     starts = scale * table.column(header.index("from_m"), "from_m")
     ends = scale * table.column(header.index("to_m"), "to_m")

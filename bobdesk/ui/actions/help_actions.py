@@ -91,7 +91,7 @@ class HelpActions(QObject):
                 self.tr("Check for &updates…"),
                 self._updates.ask,
                 (),
-                "",
+                "info",
                 self.tr("Ask whether there is a newer version; nothing is fetched or installed"),
                 menu="Help",
                 group="about",

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.derived import line_inputs
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.segments.segment_files import SegmentFiles
 
@@ -27,7 +28,7 @@ OF_SEGMENTS = (
 
 
 class SegmentActions(QObject):
-    """Rows of what `SegmentOperations` can do.
+    """Rows of what can be done by hand and automatically.
 
     Parameters
     ----------
@@ -39,6 +40,7 @@ class SegmentActions(QObject):
         super().__init__(window)
         self._desk = desk
         self._operations = operations(desk)
+        self._automatic_operations = automatic_operations(desk)
         self._files = SegmentFiles(desk, window)
 
     def table(self) -> tuple[Action, ...]:
@@ -72,7 +74,7 @@ class SegmentActions(QObject):
         )  # fmt: skip
 
     def _automatic(self) -> tuple[Action, ...]:
-        do = self._operations
+        do = self._automatic_operations
         return (
             self._row("detect_again", self.tr("Detect &again"), do.detect_again, (), "detect",
                       self.tr("Find the segments anew; locked and hand-made ones stay"), "automatic", is_key=False),

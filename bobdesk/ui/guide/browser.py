@@ -20,8 +20,8 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QTextBrowser, QTextEdit, QWidget
 
-from bobdesk.ui.guide.page_style import style_page
-from bobdesk.ui.guide.pages import Page, slug
+from bobdesk.ui.guide.page_style import pictures_of, style_page
+from bobdesk.ui.guide.pages import Page, keep_units, slug
 from bobdesk.ui.theme import colours
 
 # The pictures are taken at twice the size at which they are shown.
@@ -168,7 +168,7 @@ class GuideBrowser(QTextBrowser):
         document = self.document()
         document.clear()
         document.setDefaultFont(font)
-        document.setMarkdown(self._page.text)
+        document.setMarkdown(keep_units(self._page.text))
         style_page(document, self.text_size)
         self._fitted = (0.0, 0.0)
         self._fit()
@@ -193,17 +193,7 @@ class GuideBrowser(QTextBrowser):
             self.go_to_block(self.document().findBlockByNumber(self._at_top))
 
     def _fit_pictures(self, column: float) -> None:
-        found: list[tuple[int, QTextImageFormat]] = []
-        block = self.document().begin()
-        while block.isValid():
-            at = block.begin()
-            while not at.atEnd():
-                piece = at.fragment()
-                if piece.isValid() and piece.charFormat().isImageFormat():
-                    found.append((piece.position(), QTextImageFormat(piece.charFormat().toImageFormat())))
-                at += 1
-            block = block.next()
-        for position, shape in found:
+        for position, shape in pictures_of(self.document()):
             self._fit_picture(position, shape, column)
 
     def _fit_picture(self, position: int, shape: QTextImageFormat, column: float) -> None:

@@ -53,6 +53,7 @@ class GuideContents(QWidget):
         self.found.setProperty("kind", "muted")
         self.found.setWordWrap(True)
         self.found.setAccessibleName(self.tr("What was found"))
+        self.setMinimumWidth(150)
         column = QVBoxLayout(self)
         column.setContentsMargins(10, 10, 4, 10)
         column.setSpacing(8)

@@ -42,11 +42,16 @@ class Guide(QObject):
         self._settings, self._notices = settings, notices
         self._window: GuideWindow | None = None
 
+    @property
+    def window(self) -> GuideWindow | None:
+        """The window, once it was opened."""
+        return self._window
+
     def open_here(self) -> None:
         """Open the page that explains what has the keyboard, or else the step that is shown."""
         from bobdesk.ui.guide.context import place_in_guide
 
-        self.open(place_in_guide(QApplication.focusWidget(), self._step()))
+        self.open(place_in_guide(QApplication.focusWidget() or QApplication.activeWindow(), self._step()))
 
     def open(self, place: str) -> None:
         """Open a page, or a heading in one: "solve.md#known-elevations"."""

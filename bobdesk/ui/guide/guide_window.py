@@ -8,9 +8,10 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSize, Qt, QUrl
-from PySide6.QtGui import QAction, QCloseEvent, QDesktopServices, QKeyEvent, QKeySequence
+from PySide6.QtGui import QAction, QCloseEvent, QDesktopServices, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QMainWindow, QSizePolicy, QSplitter, QToolBar, QWidget
 
+from bobdesk.errors import InputError
 from bobdesk.ui.guide.browser import GuideBrowser
 from bobdesk.ui.guide.contents import GuideContents
 from bobdesk.ui.guide.find import Hit
@@ -19,7 +20,9 @@ from bobdesk.ui.icons import icon
 from bobdesk.ui.settings import Settings
 
 _SIZE = QSize(1040, 760)
+_LEAST = QSize(480, 320)
 _CONTENTS_WIDTH = 270
+_SAID_MS = 6000
 _ZOOMS = (0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0, 2.5)
 
 
@@ -43,9 +46,10 @@ class GuideWindow(QMainWindow):
     def __init__(self, pages: tuple[Page, ...], folder: Path, settings: Settings) -> None:
         super().__init__()
         self.setObjectName("guide_window")
-        self.setWindowTitle(self.tr("BobDesk user's guide"))
+        self.setWindowTitle(self.tr("User's guide"))
         self.setAttribute(Qt.WidgetAttribute.WA_QuitOnClose, False)
         self._pages = {page.name: page for page in pages}
+        self._folder = folder
         self._settings = settings
         self._behind: list[_Seen] = []
         self._ahead: list[_Seen] = []
@@ -58,14 +62,17 @@ class GuideWindow(QMainWindow):
         both.setChildrenCollapsible(False)
         both.addWidget(self.contents)
         both.addWidget(self.browser)
-        both.setStretchFactor(1, 1)
+        both.setStretchFactor(0, 1)
+        both.setStretchFactor(1, 3)
         both.setSizes([_CONTENTS_WIDTH, _SIZE.width() - _CONTENTS_WIDTH])
         self.setCentralWidget(both)
         self.contents.page_wanted.connect(self.go_to)
         self.contents.hit_wanted.connect(self._go_to_hit)
         self.contents.words_changed.connect(self.browser.mark)
         self.browser.link_followed.connect(self._follow)
-        self.resize(_SIZE)
+        self.setMinimumSize(_LEAST)
+        screen = QGuiApplication.primaryScreen()
+        self.resize(_SIZE if screen is None else _SIZE.boundedTo(screen.availableSize()))
         geometry = settings.bytes_of("guide_geometry")
         if not geometry.isEmpty():
             self.restoreGeometry(geometry)
@@ -100,6 +107,25 @@ class GuideWindow(QMainWindow):
     def zoom_back(self) -> None:
         """Give text and pictures their usual size."""
         self.zoom_by(_ZOOMS.index(1.0) - self._zoom)
+
+    def save_as_pdf(self) -> None:
+        """Ask where, and write all pages for printing."""
+        from bobdesk.files.atomic import write_atomic
+        from bobdesk.ui.guide.paper import guide_pdf
+        from bobdesk.ui.questions import Questions
+
+        questions = Questions(self._settings, self)
+        path = questions.file_to_save("export", self.tr("Save the guide"), self._pdf_name(), "PDF (*.pdf)", ".pdf")
+        questions.deleteLater()
+        if path is None:
+            return
+        content = guide_pdf(tuple(self._pages.values()), self._folder, self.windowTitle())
+        try:
+            write_atomic(path, content)
+        except InputError as error:
+            self.statusBar().showMessage(str(error))
+            return
+        self.statusBar().showMessage(self.tr("Written to {name}.").format(name=path.name), _SAID_MS)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Esc ends the search, and then closes the window."""
@@ -137,6 +163,7 @@ class GuideWindow(QMainWindow):
         room = QWidget(bar)
         room.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         bar.addWidget(room)
+        add(self.tr("Save the guide as PDF…"), "save-as", self.save_as_pdf, "Ctrl+S")
         add(self.tr("Smaller"), "zoom-out", lambda: self.zoom_by(-1), "Ctrl+-")
         add(self.tr("Larger"), "zoom-in", lambda: self.zoom_by(1), "Ctrl++", "Ctrl+=")
         self._key(self.tr("Usual size"), self.zoom_back, "Ctrl+0")
@@ -201,6 +228,9 @@ class GuideWindow(QMainWindow):
                 self._show(seen.page)
             self.browser.verticalScrollBar().setValue(seen.scrolled)
         self._refresh()
+
+    def _pdf_name(self) -> str:
+        return self.tr("BobDesk guide") + ".pdf"
 
     def _show(self, name: str) -> None:
         self.browser.show_page(self._pages[name])

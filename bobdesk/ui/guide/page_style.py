@@ -16,6 +16,7 @@ from PySide6.QtGui import (
     QTextFormat,
     QTextFrame,
     QTextFrameFormat,
+    QTextImageFormat,
     QTextLength,
     QTextTable,
     QTextTableCell,
@@ -30,6 +31,7 @@ _HEADINGS = {1: (1.8, 0.2, 0.7), 2: (1.35, 1.5, 0.5), 3: (1.1, 1.1, 0.3)}
 _PARAGRAPH = 0.65
 _ITEM = 0.35
 _CELL = 0.45
+_FAINT = 130
 
 
 def style_page(document: QTextDocument, size: float) -> None:
@@ -48,6 +50,18 @@ def style_page(document: QTextDocument, size: float) -> None:
         block = block.next()
     _style_tables(document, document.rootFrame(), size)
     cursor.endEditBlock()
+
+
+def pictures_of(document: QTextDocument) -> list[tuple[int, QTextImageFormat]]:
+    """Return where the pictures of a page stand, and how each is shown."""
+    found = []
+    block = document.begin()
+    while block.isValid():
+        for start, _length, look in _fragments(block):
+            if look.isImageFormat():
+                found.append((start, QTextImageFormat(look.toImageFormat())))
+        block = block.next()
+    return found
 
 
 def _style_block(document: QTextDocument, block: QTextBlock, size: float) -> None:
@@ -72,7 +86,9 @@ def _style_block(document: QTextDocument, block: QTextBlock, size: float) -> Non
         below = _ITEM if block.textList() is not None else _PARAGRAPH
         shape.setTopMargin(0)
         shape.setBottomMargin(below * size * 1.6)
-        shape.setLineHeight(_LINE_HEIGHT, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
+        # A picture is a line as high as itself, and needs no more.
+        if block.text() != "\ufffc":
+            shape.setLineHeight(_LINE_HEIGHT, QTextBlockFormat.LineHeightTypes.ProportionalHeight.value)
     if is_quote:
         shape.setBackground(QColor(of.accent_soft))
         shape.setLeftMargin(size)
@@ -136,7 +152,9 @@ def _code(size: float, *, in_text: bool) -> QTextCharFormat:
     look.setFontFamilies([fixed.family(), "monospace"])
     look.setFontPointSize(size * 0.95)
     if in_text:
-        look.setBackground(QBrush(QColor(colours().selected_row if colours().is_dark else colours().alternate)))
+        ground = QColor(colours().border)
+        ground.setAlpha(_FAINT)
+        look.setBackground(QBrush(ground))
     return look
 
 

@@ -16,6 +16,8 @@ _TITLE = re.compile(r"^# +(.+?)\s*$", re.MULTILINE)
 # What must be told by the program itself, such as the keys in force, stands in the pages as {{name}}.
 _MADE = re.compile(r"\{\{(\w+)\}\}")
 
+_BEFORE_UNIT = re.compile(r"(?<=\d) (?=(?:%|m|px|pixels?|MB)\b|%)")
+
 
 @dataclass(frozen=True)
 class Page:
@@ -66,6 +68,11 @@ def read_pages(folder: Path, made: Mapping[str, Callable[[], str]]) -> tuple[Pag
         elif entry:
             found.append(_page(folder / entry[2], group, made))
     return tuple(found)
+
+
+def keep_units(text: str) -> str:
+    """Return a text in which no line ends between a number and its unit; nothing changes its place."""
+    return _BEFORE_UNIT.sub("\u00a0", text)
 
 
 def slug(heading: str) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSignalBlocker
 
 from bobdesk.project import derive, edits
 from bobdesk.project.project import CalibrationWay, Project
+from bobdesk.sentences import as_sentence
 from bobdesk.ui.widgets.calm import Chooser
 from bobdesk.ui.widgets.number_field import NumberField
 from bobdesk.ui.widgets.panel import Panel
@@ -81,8 +82,7 @@ class ScaleWayPart(Part):
         if found is None:
             return ""
         if found.value is None:
-            problem = (found.problem or "").strip()
-            return problem[:1].upper() + problem[1:] + ("" if problem.endswith(".") else ".")
+            return as_sentence(found.problem)
         if way == "drawing scale" and project.picture is not None and project.picture.file_dpi is not None:
             text = self.tr("At {dpi} dpi, as the picture says.")
             return text.format(dpi=self.desk.quantities.number(project.picture.file_dpi[0], 0))

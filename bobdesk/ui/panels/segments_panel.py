@@ -7,6 +7,7 @@ from typing import Protocol
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QPushButton, QWidget
 
+from bobdesk.sentences import as_sentence
 from bobdesk.ui.actions.segment_actions import OF_SEGMENTS
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
@@ -60,6 +61,7 @@ class SegmentsPanel(Panel):
         self._now.changed.connect(self.refresh)
         desk.selection.station_changed.connect(self._show_place)
         desk.selection.segments_changed.connect(self._show_place)
+        desk.selection.boundary_changed.connect(self._show_place)
         desk.quantities.changed.connect(self._show_place)
         self.refresh()
 
@@ -67,15 +69,14 @@ class SegmentsPanel(Panel):
         """Say how many segments there are, and how many were corrected."""
         segments = self._now.segments
         self.problem.setVisible(self._now.problem is not None)
-        problem = (self._now.problem or "").strip()
-        self.problem.setText(problem[:1].upper() + problem[1:] + ("" if problem.endswith(".") else "."))
+        problem = as_sentence(self._now.problem)
+        self.problem.setText(problem)
         if not segments:
             self.say("" if problem else self.tr("Segments are found as soon as there is a line."))
         else:
-            curves = sum(segment.kind == "curve" for segment in segments)
             by_hand = sum(segment.by_hand for segment in segments)
             locked = sum(segment.locked for segment in segments)
-            parts = [self.tr("{count} segments, {curves} of them curves").format(count=len(segments), curves=curves)]
+            parts = [self._counts()]
             if by_hand:
                 parts.append(self.tr("{count} made by hand").format(count=by_hand))
             if locked:
@@ -85,10 +86,32 @@ class SegmentsPanel(Panel):
             self.say(" · ".join(parts))
         self._show_place()
 
+    def _counts(self) -> str:
+        segments = self._now.segments
+        curves = sum(segment.kind == "curve" for segment in segments)
+        if len(segments) == 1:
+            return self.tr("1 segment, a curve") if curves else self.tr("1 segment, a straight")
+        if curves == 0:
+            text = self.tr("{count} segments, none of them a curve")
+        elif curves == 1:
+            text = self.tr("{count} segments, 1 of them a curve")
+        elif curves == len(segments):
+            text = self.tr("{count} segments, all of them curves")
+        else:
+            text = self.tr("{count} segments, {curves} of them curves")
+        return text.format(count=len(segments), curves=curves)
+
     def _show_place(self) -> None:
         station, chosen = self.desk.selection.station, self._operations.chosen()
-        if len(self.desk.selection.segments) > 1:
-            text = self.tr("{count} segments selected").format(count=len(self.desk.selection.segments))
+        boundary, selected = self.desk.selection.boundary, self.desk.selection.segments
+        if boundary is not None and len(selected) != 1 and boundary < len(self._now.segments) - 1:
+            text = self.tr("Boundary at {station}, between segments {before} and {behind}").format(
+                station=self.desk.quantities.length(self._now.segments[boundary].end),
+                before=boundary + 1,
+                behind=boundary + 2,
+            )
+        elif len(selected) > 1:
+            text = self.tr("{count} segments selected").format(count=len(selected))
         elif station is None:
             text = self.tr("Nothing selected")
         elif chosen:

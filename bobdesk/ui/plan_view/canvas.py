@@ -156,7 +156,9 @@ class Canvas(QGraphicsView):
             self.show_cursor()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
-        """Forget a Space that is released elsewhere."""
+        """Forget a Space that is released elsewhere; a drag ends, for Esc goes elsewhere too. A menu does not count."""
+        if event.reason() not in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.MenuBarFocusReason):
+            self.tool_in_hand().let_go()
         self.navigation.space_is_down = False
         self.show_cursor()
         super().focusOutEvent(event)

@@ -116,7 +116,8 @@ class PlanView(Canvas):
         self.view_changed.emit()
 
     def show_step(self, step: StepName) -> None:
-        """Show what a step is about, and take the tool that it begins with."""
+        """Show what a step is about, and take the tool that it begins with; a drag ends."""
+        self.tools.current.let_go()
         self.layers.show_in_step(step)
         if step == "Segments" and self.tool_name == "select":
             self.set_tool("boundaries")

@@ -13,8 +13,8 @@ from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
 from bobdesk.ui.derived import DerivedLater, line_inputs
 from bobdesk.ui.segments.alignment_now import alignment_now
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.segments.gain_picture import GainPicture
-from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.widgets.fold import Fold
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
@@ -30,7 +30,7 @@ class AutomaticPart(Part):
         super().__init__(panel)
         self.name_it(self.tr("Found automatically"))
         self._now = alignment_now(self.desk)
-        self._operations = operations(self.desk)
+        self._operations = automatic_operations(self.desk)
         form = panel.add_form(self.column)
         self.threshold, self.threshold_auto = self._add_threshold(form)
         self.count = WholeSpin(self.tr("Wanted number"), self)

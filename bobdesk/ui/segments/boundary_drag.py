@@ -54,7 +54,7 @@ class BoundaryDrag(QObject):
         known = self._now.known
         if known is None or not self._now.is_current or not 0 <= boundary < len(known.segments) - 1:
             return False
-        self._desk.selection.boundary = boundary
+        operations(self._desk).select_boundary(boundary)
         if operations(self._desk).refuse_locked(boundary):
             return False
         self._boundary, self._station = boundary, known.segments[boundary].end

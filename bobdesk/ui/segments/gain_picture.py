@@ -137,7 +137,11 @@ class GainPicture(QWidget):
         if not len(self._shares):
             return self.tr("fit against number of segments")
         share = float(self._shares[min(max(number, 1), len(self._shares)) - 1])
-        text = self.tr("{count} segments reach {share} % of the best fit")
+        one, more = (
+            self.tr("1 segment reaches {share} % of the best fit"),
+            self.tr("{count} segments reach {share} % of the best fit"),
+        )
+        text = one if number == 1 else more
         return text.format(count=number, share=self._quantities.number(100 * share, 1))
 
     def _area(self) -> QRectF:

@@ -1,22 +1,19 @@
-"""What can be done to segments in the window: keys, menus, buttons and the mouse all come here."""
+"""What can be done to segments by hand: keys, menus, buttons and the mouse all come here."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 from PySide6.QtCore import QObject
 
-from bobdesk.alignment.segmentation_settings import SegmentationSettings
-from bobdesk.alignment.segments import Segments, is_kept, segment_at
-from bobdesk.errors import InputError
+from bobdesk.alignment.segments import Segments, boundary_range, segment_at
 from bobdesk.project import segment_edits
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
-from bobdesk.ui.newest import Newest
 from bobdesk.ui.notices import Remedy
-from bobdesk.ui.segments.alignment import alignment_of
 from bobdesk.ui.segments.alignment_now import alignment_now
+
+_AT_A_BOUNDARY = 1e-6
 
 
 class SegmentOperations(QObject):
@@ -26,11 +23,6 @@ class SegmentOperations(QObject):
         super().__init__(parent)
         self._desk = desk
         self._now = alignment_now(desk)
-        self._trial = Newest(desk.runner, self.tr("Finding the segments"), self)
-        self._trial.answered.connect(self._on_tried)
-        self._trial.failed.connect(self._on_trial_failed)
-        self._on_success: Callable[[object], None] | None = None
-        self._wanted: SegmentationSettings | None = None
         self._now.changed.connect(self._drop_lost_selection)
 
     @property
@@ -64,8 +56,21 @@ class SegmentOperations(QObject):
             selection.segments = range(first, last + 1)
         else:
             selection.segments = (index,)
+        selection.boundary = None
         if station is not None:
             selection.station = station
+
+    def select_boundary(self, boundary: int) -> None:
+        """Select a boundary: both segments at it are selected with it, and the cursor goes there."""
+        self._desk.selection.select_boundary(boundary)
+        self._desk.selection.station = self._now.segments[boundary].end
+
+    def select_nothing(self) -> bool:
+        """Deselect segments and boundary; return whether any were selected."""
+        selection = self._desk.selection
+        had = selection.boundary is not None or bool(selection.segments)
+        selection.boundary, selection.segments = None, ()
+        return had
 
     def select_next(self, by: int) -> None:
         """Go to a following segment (`by` 1) or one before (-1)."""
@@ -76,25 +81,29 @@ class SegmentOperations(QObject):
         chosen = self.chosen()
         at = (chosen[-1] if by > 0 else chosen[0]) + by if chosen else (0 if by > 0 else len(segments) - 1)
         at = min(max(at, 0), len(segments) - 1)
-        self._desk.selection.boundary = None
         self.select(at, station=0.5 * (segments[at].start + segments[at].end))
 
     def split(self) -> None:
         """Cut the segment at the cursor; the new boundary is selected."""
         station = self._desk.selection.station
-        if not self._ready():
+        if not self.ready():
             return
         if station is None:
             self._desk.notices.note(self.tr("Click on a strip or on the line first: the segment is split there."))
             return
         index = segment_at(self._now.segments, station)
-        if self._apply(self.tr("Split segment"), lambda project: segment_edits.split_segment(project, station)):
+        if any(abs(one.end - station) < _AT_A_BOUNDARY for one in self._now.segments[:-1]):
+            self._desk.notices.note(
+                self.tr("There is a boundary here already; click inside a segment, and X splits it there.")
+            )
+            return
+        if self.apply(self.tr("Split segment"), lambda project: segment_edits.split_segment(project, station)):
             self.select(index + 1)
             self._desk.selection.boundary = index
 
     def merge(self) -> None:
         """Make one of the selected neighbours, or of the selected segment and its nearer neighbour."""
-        if not self._ready():
+        if not self.ready():
             return
         chosen = self.chosen()
         if not chosen:
@@ -104,15 +113,14 @@ class SegmentOperations(QObject):
             self._desk.notices.note(self.tr("Only neighbours can be merged; select segments that follow each other."))
             return
         first, last = (chosen[0], chosen[-1]) if len(chosen) > 1 else self._with_neighbour(chosen[0])
-        if self._apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
-            self._desk.selection.boundary = None
+        if self.apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
             self.select(first)
 
     def flip(self) -> None:
         """Turn straights into curves and curves into straights."""
         chosen = self._chosen_or_say()
         if chosen:
-            self._apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segments(project, chosen))
+            self.apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segments(project, chosen))
 
     def lock(self) -> None:
         """Lock the selected segments; unlock them if all of them are locked."""
@@ -120,7 +128,7 @@ class SegmentOperations(QObject):
         if chosen:
             locked = not self.all_locked(chosen)
             label = self.tr("Lock segment") if locked else self.tr("Unlock segment")
-            self._apply(label, lambda project: segment_edits.lock_segments(project, chosen, locked=locked))
+            self.apply(label, lambda project: segment_edits.lock_segments(project, chosen, locked=locked))
 
     def all_locked(self, indices: tuple[int, ...]) -> bool:
         """Return whether each of some segments is locked."""
@@ -130,27 +138,59 @@ class SegmentOperations(QObject):
     def set_locked(self, index: int, *, locked: bool) -> bool:
         """Lock or unlock one segment."""
         label = self.tr("Lock segment") if locked else self.tr("Unlock segment")
-        return self._apply(label, lambda project: segment_edits.lock_segment(project, index, locked=locked))
+        return self.apply(label, lambda project: segment_edits.lock_segment(project, index, locked=locked))
 
     def delete_boundary(self) -> None:
         """Merge the two segments at the selected boundary, or at the one nearest to the cursor."""
-        if not self._ready():
+        if not self.ready():
             return
         boundary = self.boundary()
         if boundary is None:
             self._desk.notices.note(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
             return
-        if self._apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
-            self._desk.selection.boundary = None
+        if self.apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
             self.select(boundary)
 
     def move_boundary(self, boundary: int, station: float, *, key: str | None = None) -> bool:
-        """Move a boundary."""
-        return self._apply(
+        """Move a boundary; it stops where a segment would become too short. The cursor goes with a selected one."""
+        moved = self.apply(
             self.tr("Move boundary"),
             lambda project: segment_edits.move_boundary(project, boundary, station),
             key=key,
         )
+        if moved and self._desk.selection.boundary == boundary:
+            self._desk.selection.station = self._now.segments[boundary].end
+        return moved
+
+    def boundary_range(self, boundary: int) -> tuple[float, float]:
+        """Return the first and the last station that a boundary can have, m."""
+        shortest = segment_edits.shortest_by_hand(self._desk.session.project)
+        return boundary_range(self._now.segments, boundary, shortest=shortest)
+
+    def put_boundary(self, boundary: int, station: float, typed: str) -> bool:
+        """Move a boundary to where somebody has typed it; where there is no room for that, say so with numbers."""
+        if not self.ready():
+            return False
+        first, last = self.boundary_range(boundary)
+        moved = self.move_boundary(boundary, station)
+        if moved and not first - _AT_A_BOUNDARY <= station <= last + _AT_A_BOUNDARY:
+            unit = self._desk.quantities
+            text = self.tr(
+                "{typed} is out of range: the boundary between segments {before} and {behind} can lie from {first} to"
+                " {last}, for no segment may be shorter than {shortest}; it is at {now} now."
+            )
+            self._desk.notices.warn(
+                text.format(
+                    typed=typed.strip(),
+                    before=boundary + 1,
+                    behind=boundary + 2,
+                    first=unit.length(first, unit=False),
+                    last=unit.length(last),
+                    shortest=unit.length(segment_edits.shortest_by_hand(self._desk.session.project)),
+                    now=unit.length(self._now.segments[boundary].end),
+                )
+            )
+        return moved
 
     def nudge(self, by: float) -> bool:
         """Move the selected boundary on by so many metres; presses in a row are one step."""
@@ -158,29 +198,37 @@ class SegmentOperations(QObject):
         if boundary is None or boundary >= len(segments) - 1:
             return False
         if not self.refuse_locked(boundary):
-            self.move_boundary(boundary, segments[boundary].end + by, key=f"nudge boundary {boundary}")
+            before = segments[boundary].end
+            moved = self.move_boundary(boundary, before + by, key=f"nudge boundary {boundary}")
+            if moved and self._now.segments[boundary].end == before:
+                shortest = segment_edits.shortest_by_hand(self._desk.session.project)
+                self._desk.notices.note(
+                    self.tr(
+                        "The boundary can go no further: segment {number} would be shorter than {shortest}."
+                    ).format(number=boundary + (2 if by > 0 else 1), shortest=self._desk.quantities.length(shortest))
+                )
         return True
 
     def flip_one(self, index: int) -> bool:
         """Turn one segment into the other kind."""
-        return self._apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segment(project, index))
+        return self.apply(self.tr("Flip kind"), lambda project: segment_edits.flip_segment(project, index))
 
     def rename(self, index: int, name: str) -> bool:
         """Give a segment a name."""
-        return self._apply(self.tr("Name segment"), lambda project: segment_edits.name_segment(project, index, name))
+        return self.apply(self.tr("Name segment"), lambda project: segment_edits.name_segment(project, index, name))
 
     def number_curves(self) -> None:
         """Number the curves from the start."""
-        if self._ready():
+        if self.ready():
             before = self._desk.session.project
-            self._apply(self.tr("Number curves"), segment_edits.number_curves)
+            self.apply(self.tr("Number curves"), segment_edits.number_curves)
             if self._desk.session.project is before:
                 self._desk.notices.note(self.tr("The curves are numbered already; names of your own stay."))
 
     def take(self, segments: Segments, label: str) -> bool:
         """Take all segments from a file."""
-        self._desk.selection.boundary = None
-        return self._apply(label, lambda project: segment_edits.set_segments(project, segments))
+        self.select_nothing()
+        return self.apply(label, lambda project: segment_edits.set_segments(project, segments))
 
     def refuse_locked(self, boundary: int) -> bool:
         """Say so if a segment beside a boundary is locked; return whether one is."""
@@ -195,96 +243,12 @@ class SegmentOperations(QObject):
             )
         return bool(locked)
 
-    def detect_again(self) -> None:
-        """Find the segments anew in the background; what was corrected by hand stays."""
-        project = self._desk.session.project
-        if not self._ready():
-            return
-        if project.segments is None:
-            self._desk.notices.note(self.tr("The segments are automatic; nothing was corrected by hand."))
-            return
-        if all(is_kept(segment) for segment in project.segments):
-            self._desk.notices.note(
-                self.tr("Every segment is locked or made by hand, so there is nothing to detect again."),
-                Remedy(self.tr("Back to automatic"), self.back_to_automatic),
-            )
-            return
-        self._try(
-            project,
-            lambda: segment_edits.detect_again(project),
-            lambda _found: self._apply(self.tr("Detect again"), segment_edits.detect_again),
-        )
+    def apply(self, label: str, edit: Callable[[Project], Project], *, key: str | None = None) -> bool:
+        """Do an edit if there are segments; return whether it could be done."""
+        return self.ready() and self._desk.session.apply(label, edit, key=key)
 
-    def back_to_automatic(self) -> None:
-        """Give up all corrections; undo brings them back."""
-        if self._desk.session.project.segments is None:
-            self._desk.notices.note(self.tr("The segments are automatic already."))
-            return
-        self._desk.selection.boundary = None
-        self._apply(self.tr("Back to automatic"), segment_edits.use_automatic_segments)
-
-    def change_settings(self, **changes: object) -> None:
-        """Change how segments are found: tried in the background, and kept if that works; changes merge."""
-        project = self._desk.session.project
-        # A change that is still being tried must not be lost to the next one.
-        base = self._wanted or project.segmentation
-        settings: SegmentationSettings = replace(base, **changes)  # type: ignore[arg-type]
-        if settings == base:
-            return
-        # The trial fills the memory of what is derived, so that the edit itself takes no time.
-        self._try(
-            project,
-            lambda: _tried(project, settings),
-            lambda _found: self._apply(
-                self.tr("Change segmentation"),
-                lambda before: segment_edits.set_segmentation(before, settings),
-                key="segmentation " + " ".join(sorted(changes)),
-            ),
-        )
-        self._wanted = settings
-
-    def preview_threshold(self, threshold: float) -> None:
-        """Show what another threshold would find, without changing the document."""
-        project = self._desk.session.project
-        settings = replace(project.segmentation, threshold=threshold)
-        self._now.preview(self._now.segments if self._now.is_preview else None, threshold=threshold)
-
-        def show(found: object) -> None:
-            assert isinstance(found, tuple)
-            if self._now.threshold is not None and self._now.is_preview:
-                self._now.preview(found, threshold=threshold)
-
-        self._try(project, lambda: _tried(project, settings), show)
-
-    def drop_preview(self) -> None:
-        """Show the document's segments again."""
-        self._trial.drop()
-        self._on_success = self._wanted = None
-        self._now.preview(None)
-
-    def _try(self, project: Project, function: Callable[[], object], then: Callable[[object], object]) -> None:
-        def on_success(found: object) -> None:
-            # What was tried on another document, or another line, is worth nothing.
-            if self._desk.session.project is project:
-                then(found)
-
-        self._on_success, self._wanted = on_success, None
-        self._trial.ask(function)
-
-    def _on_tried(self, found: object) -> None:
-        then, self._on_success, self._wanted = self._on_success, None, None
-        if then is not None:
-            then(found)
-
-    def _on_trial_failed(self, sentence: str) -> None:
-        self._on_success = self._wanted = None
-        self._now.preview(None)
-        self._desk.notices.warn(sentence)
-
-    def _apply(self, label: str, edit: Callable[[Project], Project], *, key: str | None = None) -> bool:
-        return self._ready() and self._desk.session.apply(label, edit, key=key)
-
-    def _ready(self) -> bool:
+    def ready(self) -> bool:
+        """Return whether there are segments and none are being found, and say so if not."""
         if not self._now.is_current:
             self._desk.notices.note(self.tr("The segments are still being worked out; try again in a moment."))
             return False
@@ -300,7 +264,7 @@ class SegmentOperations(QObject):
         self._desk.notices.note(self.tr("Select a segment first: click it on the plan, on a strip or in the table."))
 
     def _chosen_or_say(self) -> tuple[int, ...]:
-        if not self._ready():
+        if not self.ready():
             return ()
         chosen = self.chosen()
         if not chosen:
@@ -319,7 +283,8 @@ class SegmentOperations(QObject):
         if self._now.is_preview or not self._now.is_current:
             return
         selection, count = self._desk.selection, len(self._now.segments)
-        selection.segments = [index for index in selection.segments if index < count]
+        if selection.segments and selection.segments[-1] >= count:
+            selection.segments = [index for index in selection.segments if index < count]
         if selection.boundary is not None and selection.boundary >= count - 1:
             selection.boundary = None
 
@@ -332,10 +297,3 @@ def operations(desk: Desk) -> SegmentOperations:
         found = SegmentOperations(desk, desk.session)
         found.setObjectName(name)
     return found
-
-
-def _tried(project: Project, settings: SegmentationSettings) -> Segments:
-    """Return the segments that settings would give; called on a thread."""
-    if not alignment_of(project).segments:
-        raise InputError("there are no segments")
-    return alignment_of(segment_edits.set_segmentation(project, settings)).segments

@@ -64,7 +64,7 @@ class RulesPart(Part):
     def _show(self, found: object) -> None:
         assert isinstance(found, RuleDifference)
         number, both = self.desk.quantities.number, found.boundaries
-        text = self.tr("recommended {first} segments, published {second}")
+        text = self.tr("segments: recommended {first}, published {second}")
         self.found.setText(text.format(first=len(found.recommended), second=len(found.published)))
         text = self.tr("{count} within {metres}, {moved} of them moved")
         within = self.desk.quantities.length(both.within, 0)

@@ -7,12 +7,17 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
+from bobdesk.project.segment_edits import shortest_by_hand
+from bobdesk.sentences import listed
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.design import design_of
 from bobdesk.ui.segments.operations import operations
+
+_MOST_NAMED = 6
 
 
 class SegmentFiles(QObject):
@@ -43,7 +48,30 @@ class SegmentFiles(QObject):
         except InputError as error:
             self._desk.notices.error(str(error))
             return False
-        return operations(self._desk).take(found, self.tr("Open segments"))
+        if not operations(self._desk).take(found, self.tr("Open segments")):
+            return False
+        self._say_short(found, path.name)
+        return True
+
+    def _say_short(self, found: Segments, name: str) -> None:
+        """Say which segments of a file were too short to stay."""
+        shortest = shortest_by_hand(self._desk.session.project)
+        short = [str(number) for number, one in enumerate(found, 1) if one.length < shortest]
+        if not short:
+            return
+        shown = listed(short[:_MOST_NAMED]) if len(short) <= _MOST_NAMED else ", ".join([*short[:_MOST_NAMED], "…"])
+        text = (
+            self.tr(
+                "{name}: segment {numbers} is shorter than {shortest}, the shortest allowed, and joined a neighbour."
+            )
+            if len(short) == 1
+            else self.tr(
+                "{name}: {count} segments ({numbers}) are shorter than {shortest}, the shortest allowed, and joined"
+                " a neighbour."
+            )
+        )
+        unit = self._desk.quantities
+        self._desk.notices.warn(text.format(name=name, count=len(short), numbers=shown, shortest=unit.length(shortest)))
 
     def ask_save(self) -> None:
         """Ask where, and save the table of segments."""

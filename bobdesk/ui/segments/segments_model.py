@@ -264,16 +264,14 @@ class SegmentsModel(HeadedModel):
         return kind == self._segment(row).kind or self._operations.flip_one(row)
 
     def _set_from(self, row: int, text: str) -> bool:
-        return row > 0 and self._operations.move_boundary(row - 1, self._metres(text))
+        return row > 0 and self._operations.put_boundary(row - 1, self._metres(text), text)
 
     def _set_to(self, row: int, text: str) -> bool:
-        return row < self._count - 1 and self._operations.move_boundary(row, self._metres(text))
+        return row < self._count - 1 and self._operations.put_boundary(row, self._metres(text), text)
 
     def _set_length(self, row: int, text: str) -> bool:
-        return self._set_to_station(row, self._segment(row).start + self._metres(text))
-
-    def _set_to_station(self, row: int, station: float) -> bool:
-        return row < self._count - 1 and self._operations.move_boundary(row, station)
+        station = self._segment(row).start + self._metres(text)
+        return row < self._count - 1 and self._operations.put_boundary(row, station, text)
 
     def _on_units(self) -> None:
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self._columns) - 1)

@@ -15,8 +15,8 @@ from PySide6.QtCore import QPointF, Qt
 from bobdesk.alignment.boundary_comparison import boundaries_of, compare_boundaries
 from bobdesk.arrays import FloatArray
 from bobdesk.files.atomic import write_atomic
+from bobdesk.files.processes import process_executor
 from bobdesk.files.project_file import load_project, save_project
-from bobdesk.files.study_run import process_executor
 from bobdesk.plan.control_points import ControlPoint
 from bobdesk.project import derive, edits
 from bobdesk.solve.targets import KnownElevation

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.metadata
+import importlib.util
 import os
 import platform
 import sys
@@ -12,6 +13,7 @@ from pathlib import Path
 
 import platformdirs
 
+from bobdesk.files.new_file import new_file
 from bobdesk.ui.resources import resource
 
 # Modules and, where a module does not tell its version itself, their distributions.
@@ -28,11 +30,12 @@ _LIBRARIES = {
     "click": "click",
     "pyqtgraph": "pyqtgraph",
 }
-_OPTIONAL = {"ezdxf": "ezdxf", "distributed": "distributed"}
+# Not loaded here: ezdxf would look for fonts, and leave what it found in the user's home.
+_OPTIONAL = ("ezdxf", "distributed")
 
 
 def versions() -> dict[str, str | None]:
-    """Return the versions of Python and of every library, each of which is loaded; None for an extra that is missing.
+    """Return the versions of Python and of every library, which is loaded; of extras too, None if one is missing.
 
     Raises
     ------
@@ -42,11 +45,8 @@ def versions() -> dict[str, str | None]:
     found: dict[str, str | None] = {"Python": platform.python_version()}
     for module, distribution in _LIBRARIES.items():
         found[distribution] = _version(module, distribution)
-    for module, distribution in _OPTIONAL.items():
-        try:
-            found[distribution] = _version(module, distribution)
-        except ImportError:
-            found[distribution] = None
+    for name in _OPTIONAL:
+        found[name] = None if importlib.util.find_spec(name) is None else _told(name)
     return found
 
 
@@ -91,8 +91,10 @@ def _folder(place: Path) -> dict[str, object]:
     while not there.is_dir() and there != there.parent:
         there = there.parent
     try:
-        with tempfile.TemporaryFile(dir=there):
-            writable = True
+        handle, path = new_file(there, prefix=".bobdesk-", suffix=".try")
+        os.close(handle)
+        path.unlink()
+        writable = True
     except OSError:
         writable = False
     return {"path": str(place), "exists": place.is_dir(), "writable": writable}
@@ -103,6 +105,10 @@ def _version(module: str, distribution: str) -> str:
     told = getattr(loaded, "__version__", None)
     if isinstance(told, str):
         return told
+    return _told(distribution)
+
+
+def _told(distribution: str) -> str:
     try:
         return importlib.metadata.version(distribution)
     except importlib.metadata.PackageNotFoundError:

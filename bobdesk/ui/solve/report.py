@@ -14,6 +14,7 @@ from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
 from bobdesk.track.comparison import Comparison
 from bobdesk.ui.quantities import Quantities
+from bobdesk.ui.solve.report_open_data import ReportOnOpenData
 from bobdesk.ui.solve.run_figures import actual_figures, mean_of
 
 Rows = list[tuple[str, ...]]
@@ -33,6 +34,8 @@ class Report(QObject):
     ----------
     pictures
         Names and PNG bytes, in order, with a caption each.
+    open_data
+        The error budget and the design rules.
     """
 
     def __init__(
@@ -43,10 +46,12 @@ class Report(QObject):
         pictures: list[tuple[str, bytes]],
         quantities: Quantities,
         why_out_of_date: str | None,
+        open_data: ReportOnOpenData,
     ) -> None:
         super().__init__()
         self._project, self._run, self._comparison = project, run, comparison
         self._pictures, self._unit, self._why = pictures, quantities, why_out_of_date
+        self._open_data = open_data
 
     def html(self) -> bytes:
         """Return one file that holds everything."""
@@ -98,6 +103,11 @@ class Report(QObject):
                 f"<h2{style}>{_safe(caption)}</h2>",
                 f'<img src="{source}" width="{width}" alt="{_safe(caption)}">',
             ]
+        budget, rules = self._open_data.budget(), self._open_data.rules()
+        parts += self._table(self.tr("Error budget, 95 %"), budget, heads=self._open_data.budget_heads())
+        sentence = self._open_data.budget_sentence()
+        parts.append(f"<p>{_safe(sentence)}</p>")
+        parts += self._table(self.tr("Design rules"), rules, heads=self._open_data.rule_heads(), numbers=False)
         parts += self._table(self.tr("Known elevations"), self._known())
         parts += self._table(self.tr("Settings"), self._settings())
         parts += self._table(self.tr("Segments"), self._segments(), heads=self._segment_heads())
@@ -225,19 +235,16 @@ class Report(QObject):
             rows.append((self.tr("Actual track"), project.actual.name))
         return rows
 
-    def _table(self, heading: str, rows: Rows, heads: tuple[str, ...] = ()) -> list[str]:
+    def _table(self, heading: str, rows: Rows, heads: tuple[str, ...] = (), *, numbers: bool = True) -> list[str]:
         if not rows:
             return []
+        right = " class=n align=right" if numbers else ""
         lines = [f"<h2>{_safe(heading)}</h2>", '<table width="100%">']
         if heads:
-            cells = "".join(
-                f"<th{' class=n align=right' if at else ''}>{_safe(cell)}</th>" for at, cell in enumerate(heads)
-            )
+            cells = "".join(f"<th{right if at else ''}>{_safe(cell)}</th>" for at, cell in enumerate(heads))
             lines.append(f"<tr>{cells}</tr>")
         for row in rows:
-            cells = "".join(
-                f"<td{' class=n align=right' if at else ''}>{_safe(cell)}</td>" for at, cell in enumerate(row)
-            )
+            cells = "".join(f"<td{right if at else ''}>{_safe(cell)}</td>" for at, cell in enumerate(row))
             lines.append(f"<tr>{cells}</tr>")
         return [*lines, "</table>"]
 

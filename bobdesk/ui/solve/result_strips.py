@@ -1,4 +1,4 @@
-"""What the strips show beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
+"""What the strips show beside the chosen run: the run at work, other runs, actual track, 3D curvature."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from bobdesk.project.runs import Run
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.shown_result import shown_result_of
-from bobdesk.ui.strips.contents import Band, Curve
+from bobdesk.ui.strips.contents import Curve
 from bobdesk.ui.strips.profile_strips import KNOWN
 
 if TYPE_CHECKING:
     from bobdesk.track.centreline3d import Centreline3D
     from bobdesk.ui.strips.strip_stack import StripStack
 
-_SHOWN, _ACTUAL, _BAND, _SPACE = "shown", "actual", "band", "in space"
+_SHOWN, _ACTUAL, _SPACE = "shown", "actual", "in space"
 
 
 class ResultStrips(QObject):
@@ -35,7 +35,6 @@ class ResultStrips(QObject):
         self._now = alignment_now(desk)
         self._overlays = 0
         self._was_live = False
-        self._band_of: object = None
         self._shown.changed.connect(self._draw)
         self._now.changed.connect(self._draw)
         desk.session.changed.connect(self._on_changed)
@@ -88,7 +87,6 @@ class ResultStrips(QObject):
         self._was_live = self._shown.is_live
         self._draw_overlays()
         self._draw_actual(line)
-        self._draw_band()
 
     def _draw_overlays(self) -> None:
         overlays: list[tuple[Run, Centreline3D]] = self._shown.overlays
@@ -117,20 +115,6 @@ class ResultStrips(QObject):
             elevation = Curve(stations, elevations, "measure", 1.2, Qt.PenStyle.DashLine, column="actual_elevation_m")
         self._stack.gradient.set_curve(_ACTUAL, gradient)
         self._stack.elevation.set_curve(_ACTUAL, elevation)
-
-    def _draw_band(self) -> None:
-        band = self._shown.band
-        value = self._now.value
-        key = (band, None if value is None else value.line)
-        if band is None:
-            self._stack.elevation.set_band(_BAND, None)
-        elif key != self._band_of:
-            shown = float(band.stations[-1]) if value is None else value.line.length
-            # Far above the start there is nothing to be read: it would only press the profile flat.
-            high = np.minimum(band.highest, 1.15 * float(band.highest[0]))
-            stations = band.stations * (shown / float(band.stations[-1]))
-            self._stack.elevation.set_band(_BAND, Band(stations, band.lowest, high))
-        self._band_of = key
 
     def _on_mark_dragged(self, key: str, index: int, station: float, value: float) -> None:
         marks = self._stack.elevation.marks.get(KNOWN)

@@ -6,9 +6,10 @@ import numpy as np
 from PySide6.QtWidgets import QWidget
 
 from bobdesk.arrays import FloatArray
+from bobdesk.sentences import as_sentence
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
-from bobdesk.ui.segments.operations import operations
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.strips.contents import Curve, Level
 from bobdesk.ui.strips.station_axis import StationAxis
 from bobdesk.ui.strips.strip import Strip
@@ -26,7 +27,7 @@ class CurvatureStrip(Strip):
         self.setAccessibleName(self.title)
         self._desk = desk
         self._now = alignment_now(desk)
-        self._operations = operations(desk)
+        self._automatic = automatic_operations(desk)
         self._drawn_line: object = None
         self.starts_at_zero = True
         self.unit = self._unit
@@ -60,7 +61,9 @@ class CurvatureStrip(Strip):
             self.set_curve("raw", None)
             self.set_curve("fitted", None)
             self.set_level(THRESHOLD, None)
-            self.set_empty(_sentence(self._now.problem) or self.tr("The curvature is shown here once there is a line."))
+            self.set_empty(
+                as_sentence(self._now.problem) or self.tr("The curvature is shown here once there is a line.")
+            )
             self._drawn_line = None
             return
         if value.line is not self._drawn_line:
@@ -91,13 +94,13 @@ class CurvatureStrip(Strip):
             self.set_level(THRESHOLD, level)
 
     def _on_level_dragged(self, _key: str, value: float) -> None:
-        self._operations.preview_threshold(_kept(value))
+        self._automatic.preview_threshold(_kept(value))
 
     def _on_level_dropped(self, _key: str, value: float) -> None:
-        self._operations.change_settings(threshold=_kept(value))
+        self._automatic.change_settings(threshold=_kept(value))
 
     def _on_level_cancelled(self, _key: str) -> None:
-        self._operations.drop_preview()
+        self._automatic.drop_preview()
 
     def _unit(self) -> str:
         return f"1/{self._desk.quantities.length_unit}"
@@ -112,7 +115,3 @@ class CurvatureStrip(Strip):
 def _kept(threshold: float) -> float:
     """Return a threshold that is allowed, with four digits that count."""
     return float(f"{min(max(threshold, _LEAST), _MOST):.3g}")
-
-
-def _sentence(text: str | None) -> str:
-    return "" if not text else text[0].upper() + text[1:] + ("" if text[-1] in ".!?" else ".")

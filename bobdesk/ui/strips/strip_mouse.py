@@ -76,8 +76,8 @@ class StripMouse(QObject):
             return value
         return self._value_at(grip.now)
 
-    def cancel(self) -> bool:
-        """Drop what is under way."""
+    def cancel(self, *, keep_place: bool = False) -> bool:
+        """Drop what is under way; with `keep_place` a pan stays where it is."""
         grip, self._grip = self._grip, None
         if grip is None:
             return False
@@ -87,7 +87,7 @@ class StripMouse(QObject):
             self._strip.level_cancelled.emit(grip.key)
         elif grip.kind == "mark":
             self._strip.mark_cancelled.emit(grip.key)
-        elif grip.kind == "pan":
+        elif grip.kind == "pan" and not keep_place:
             self._strip.axis.show(grip.low, grip.high)
         self._strip.update()
         return True

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QKeyEvent
+from PySide6.QtGui import QAction, QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
 
 from bobdesk.alignment.range_figures import range_figures
@@ -61,6 +63,7 @@ class StripStack(QWidget):
         self._splitter.setHandleWidth(1)
         self.card = RangeCard(desk.quantities, self)
         self._buttons: list[tuple[QToolButton, str]] = []
+        self._menus: list[tuple[str, Callable[[QMenu], None]]] = []
         self._put_together()
         for strip in (self.curvature, self.gradient, self.elevation):
             self.add_strip(strip)
@@ -106,7 +109,14 @@ class StripStack(QWidget):
             strip.selected_range = (figures.start, figures.end)
             strip.update()
         self.card.show_figures(figures)
+        self._desk.selection.stretch = (figures.start, figures.end)
         self.range_selected.emit(figures.start, figures.end)
+
+    def add_menu(self, icon_name: str, text: str, fill: Callable[[QMenu], None]) -> None:
+        """Put a button with a menu below the others, and the menu into the context menu too."""
+        self._menus.append((text, fill))
+        button = self._tool(icon_name, text, lambda: self._show_menu(button, fill))
+        self._tools.insertWidget(self._tools.count() - 1, button)
 
     def clear_range(self) -> bool:
         """Select no stretch; return whether there was one."""
@@ -115,6 +125,7 @@ class StripStack(QWidget):
             strip.selected_range = None
             strip.update()
         self.card.show_figures(None)
+        self._desk.selection.stretch = None
         return had
 
     def fit(self) -> None:
@@ -124,15 +135,25 @@ class StripStack(QWidget):
             strip.fit()
 
     def cancel(self) -> bool:
-        """Esc: drop a drag, or the selected stretch or boundary; return whether there was something."""
+        """Esc: drop a drag, or the selected stretch, or what is selected; return whether there was something."""
         dropped = [strip.cancel() for strip in self._strips]
-        if any(dropped):
-            return True
-        if self.clear_range():
-            return True
-        had = self._desk.selection.boundary is not None
-        self._desk.selection.boundary = None
-        return had
+        return any(dropped) or self.clear_range() or self._operations.select_nothing()
+
+    def let_go(self) -> None:
+        """Drop a drag whose ground has changed: another step, another document, the keyboard elsewhere."""
+        for strip in self._strips:
+            strip.cancel(keep_place=True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Hold nothing that is not seen."""
+        self.let_go()
+        super().hideEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        """Hold nothing when the keyboard goes, and Esc with it; a menu does not count."""
+        if event.reason() not in (Qt.FocusReason.PopupFocusReason, Qt.FocusReason.MenuBarFocusReason):
+            self.let_go()
+        super().focusOutEvent(event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move cursor or boundary, zoom, cancel."""
@@ -168,7 +189,7 @@ class StripStack(QWidget):
             self.card.refresh_icons()
 
     def _put_together(self) -> None:
-        tools = QVBoxLayout()
+        tools = self._tools = QVBoxLayout()
         tools.setContentsMargins(3, 4, 3, 4)
         tools.setSpacing(2)
         for name, text, do in (
@@ -177,15 +198,8 @@ class StripStack(QWidget):
             ("zoom-out", self.tr("Zoom out (−)"), lambda: self._zoom(1 / _NOTCH)),
             ("export", self.tr("Save a strip as picture or table"), self._show_save_menu),
         ):
-            button = QToolButton(self)
-            button.setIcon(icon(name))
-            button.setAutoRaise(True)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setToolTip(text)
-            button.setAccessibleName(text)
-            button.clicked.connect(do)
-            tools.addWidget(button)
-            self._buttons.append((button, name))
+            tools.addWidget(self._tool(name, text, do))
+        self._save_button = self._buttons[-1][0]
         tools.addStretch(1)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -195,14 +209,27 @@ class StripStack(QWidget):
         row.addWidget(self.card)
         self.card.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
 
+    def _tool(self, name: str, text: str, do: Callable[[], object]) -> QToolButton:
+        button = QToolButton(self)
+        button.setIcon(icon(name))
+        button.setAutoRaise(True)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.setToolTip(text)
+        button.setAccessibleName(text)
+        button.clicked.connect(do)
+        self._buttons.append((button, name))
+        return button
+
     def _connect(self) -> None:
         selection = self._desk.selection
         self._now.changed.connect(self._follow)
         selection.station_changed.connect(self._mark_station)
         selection.segments_changed.connect(self._on_selection)
         selection.boundary_changed.connect(self._on_selection)
+        selection.stretch_changed.connect(self._on_stretch)
         self._desk.quantities.changed.connect(self._mark_station)
         self._desk.session.document_changed.connect(self._on_document)
+        self._desk.session.changed.connect(self.let_go)
         self._design.changed.connect(self.curvature.update)
         self.card.closed.connect(self.clear_range)
         for strip in (self.gradient, self.elevation):
@@ -219,6 +246,15 @@ class StripStack(QWidget):
     def _on_selection(self) -> None:
         for strip in self._strips:
             strip.update()
+
+    def _on_stretch(self) -> None:
+        stretch = self._desk.selection.stretch
+        if stretch == self.curvature.selected_range:
+            return
+        if stretch is None:
+            self.clear_range()
+        else:
+            self.select_range(*stretch)
 
     def _on_document(self) -> None:
         self.clear_range()
@@ -243,7 +279,6 @@ class StripStack(QWidget):
         station = min(max(station, 0.0), self.axis.length)
         if not segments:
             return
-        self._desk.selection.boundary = None
         add = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         self._operations.select(segment_at(segments, station), station=station, add=add)
 
@@ -279,15 +314,22 @@ class StripStack(QWidget):
         if self.curvature.selected_range is not None:
             menu.addAction(self.tr("Close the selected stretch"), self.clear_range)
         menu.addSeparator()
+        for text, fill in self._menus:
+            fill(menu.addMenu(text))
         self._saving.fill_menu(menu, self._strip_at(at))
         return menu
 
     def _show_save_menu(self) -> None:
+        def fill(menu: QMenu) -> None:
+            for strip in self._strips:
+                self._saving.fill_menu(menu.addMenu(strip.title), strip)
+
+        self._show_menu(self._save_button, fill)
+
+    def _show_menu(self, button: QToolButton, fill: Callable[[QMenu], None]) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for strip in self._strips:
-            self._saving.fill_menu(menu.addMenu(strip.title), strip)
-        button = self._buttons[-1][0]
+        fill(menu)
         menu.popup(button.mapToGlobal(QPoint(button.width(), 0)))
 
     def _strip_at(self, at: QPoint) -> Strip:

@@ -44,7 +44,8 @@ def typed_number(text: str) -> float:
         ways = sorted(readings)
         shown = " or ".join(locale.toString(value, "g", 12).replace(locale.groupSeparator(), "") for value in ways)
         raise InputError(f"{text.strip()} can be read as {shown}; write it without a sign between thousands")
-    raise InputError(f"{text.strip()[:40]} is not a number")
+    strict.setNumberOptions(QLocale.NumberOption.OmitGroupSeparator)
+    raise InputError(f"'{text.strip()[:40]}' is not a number; write it like {strict.toString(1234.5, 'f', 1)}")
 
 
 def number_to_edit(value: float | None, digits: int = 10) -> str:

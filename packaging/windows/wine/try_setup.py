@@ -240,7 +240,8 @@ def open_by_double_click(machine: Machine, picture: Path) -> None:
     for name in (f".{identity.FILE_SUFFIX}", identity.FILE_TYPE_PROGID):
         machine.run("reg", "copy", rf"HKCU\{CLASSES}\{name}", rf"HKLM\{CLASSES}\{name}", "/s", "/f")
     started = time.monotonic()
-    machine.run("start", "/unix", str(project), status=None)
+    # Not waited for: the program would hold the pipes of what started it.
+    machine.start("start", "/unix", str(project))
     wait_for(lambda: any(project.stem in title for title in machine.windows()), "the window of a project")
     say(f"a double click on {project.name} opens it in {time.monotonic() - started:.0f} s")
     time.sleep(15)  # for the picture: plots and pictures come after the window

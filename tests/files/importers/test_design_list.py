@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from bobdesk.alignment.design import DesignCurve
 from bobdesk.errors import InputError
-from bobdesk.files.importers.design_list import DesignCurve, read_design_list
+from bobdesk.files.importers.design_list import read_design_list
 
 SAMPLE = Path(__file__).parents[3] / "resources" / "samples" / "cortina_2026_design" / "design.json"
 
@@ -32,12 +33,12 @@ def test_a_table_is_read_in_any_dialect(tmp_path):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("from_m,length_m\n1,2\n", "there is no column radius_m"),
+        ("from_m,length_m\n1,2\n", "the column radius_m is missing"),
         ("from_m,length_m,radius_m,direction\n1,2,3,up\n", "line 2: the direction is 'up'"),
         ("from_m,length_m,radius_m\n1,-2,3\n", "line 2: the length must be more than 0"),
         ("from_m,length_m,radius_m\n1,2,0\n", "line 2: the radius must be more than 0"),
         ('{"curves": [{"from_m": 1, "length_m": 2}]}', "curve 1: there is no radius_m"),
-        ('{"curves": [{"from_m": "a", "length_m": 2, "radius_m": 3}]}', "curve 1: from_m is no number"),
+        ('{"curves": [{"from_m": "a", "length_m": 2, "radius_m": 3}]}', "curve 1: from_m is not a number"),
         ('{"curves": []}', "there are no curves"),
         ('{"name": "x"}', "no list of curves"),
         ("[1, 2]", "no list of curves"),

@@ -11,8 +11,9 @@ from PySide6.QtWidgets import QApplication, QToolButton, QWidget
 from bobdesk.files.project_file import load_project
 from bobdesk.ui.guide.find import GuideFinder, words_of
 from bobdesk.ui.guide.guide_window import GuideWindow
-from bobdesk.ui.guide.pages import Page, read_pages, slug
+from bobdesk.ui.guide.pages import Page, keep_units, read_pages, slug
 from bobdesk.ui.main_window import MainWindow
+from bobdesk.ui.questions import Questions
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import apply_theme, colours
@@ -210,13 +211,37 @@ def test_every_control_has_a_name_and_the_keyboard_reaches_it(qtbot, guide):
         assert QAccessible.queryAccessibleInterface(focus).text(QAccessible.Text.Name)
         qtbot.keyClick(focus, Qt.Key.Key_Tab, NONE)
     buttons = [one for one in guide.findChildren(QToolButton) if one.isVisible() and one.defaultAction() is not None]
-    assert len(buttons) == 5
+    assert len(buttons) == 6
     assert {guide.contents.search, guide.contents.list, guide.browser, *buttons} <= reached
     guide.contents.search.setFocus()
     qtbot.keyClick(guide, Qt.Key.Key_F6)
     assert guide.browser.hasFocus()
     qtbot.keyClick(guide, Qt.Key.Key_F6)
     assert guide.contents.list.hasFocus()
+
+
+def test_the_whole_guide_as_pdf(qtbot, guide, monkeypatch, tmp_path):
+    import pypdfium2
+
+    path = tmp_path / "guide.pdf"
+    monkeypatch.setattr(Questions, "file_to_save", lambda *_arguments: path)
+    guide.save_as_pdf()
+    document = pypdfium2.PdfDocument(path)
+    sheets = [document[index].get_textpage().get_text_bounded() for index in range(len(document))]
+    pictures = sum(1 for index in range(len(document)) for one in document[index].get_objects() if one.type == 3)
+    document.close()
+    assert len(sheets) >= 14
+    assert "user’s guide" in sheets[0] or "user's guide" in sheets[0]
+    assert any(sheet.startswith("First track in ten minutes") for sheet in sheets)
+    assert any("mean_gradient_drop_per_length" in sheet for sheet in sheets)
+    assert pictures >= 17
+    assert "Written to guide.pdf." in guide.statusBar().currentMessage()
+
+
+def test_a_pdf_that_cannot_be_written_is_said(guide, monkeypatch, tmp_path):
+    monkeypatch.setattr(Questions, "file_to_save", lambda *_arguments: tmp_path / "none" / "guide.pdf")
+    guide.save_as_pdf()
+    assert "guide.pdf" in guide.statusBar().currentMessage()
 
 
 def test_esc_and_ctrl_w_close_it_and_its_size_is_kept(qtbot, guide, pages):
@@ -235,7 +260,7 @@ def test_esc_and_ctrl_w_close_it_and_its_size_is_kept(qtbot, guide, pages):
 
 def test_f1_opens_the_page_of_what_one_does(qtbot, window):
     def page():
-        return window.guide._window.browser.page.name
+        return window.guide.window.browser.page.name
 
     window.actions_by_name["guide"].trigger()
     assert page() == "index.md"
@@ -263,21 +288,36 @@ def test_f1_opens_the_heading_of_the_part_in_focus(qtbot, window):
     assert place_in_guide(None, None) == "index.md"
 
 
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [("methods", "Compare methods"), ("study", "Study"), ("published", "Published tables")],
+)
+def test_f1_acts_in_the_windows_beside_the_main_one(qtbot, window, name, place):
+    beside = window.beside.open(name)
+    beside.activateWindow()
+    qtbot.waitUntil(beside.isActiveWindow)
+    qtbot.keyClick(beside, Qt.Key.Key_F1)
+    qtbot.waitUntil(lambda: window.guide.window is not None)
+    assert window.guide.window.browser.page.name == "compare.md"
+    assert window.guide.window.browser.textCursor().block().text() == place
+    beside.close()
+
+
 def test_the_page_of_keys_shows_those_in_force(qtbot, window):
     window.desk.settings.set_key("save", "Ctrl+Alt+S")
     window.guide.open("keys.md")
-    text = window.guide._window.browser.toPlainText()
+    text = window.guide.window.browser.toPlainText()
     assert "Ctrl+Alt+S" in text
     assert "{{" not in text
-    window.guide._window.close()
+    window.guide.window.close()
     window.desk.settings.set_key("save", None)
     window.guide.open("keys.md")
-    assert "Ctrl+Alt+S" not in window.guide._window.browser.toPlainText()
+    assert "Ctrl+Alt+S" not in window.guide.window.browser.toPlainText()
 
 
 def test_it_goes_with_the_programs_window(qtbot, window):
     window.guide.open("index.md")
-    guide = window.guide._window
+    guide = window.guide.window
     assert guide.isVisible()
     window.leave()
     assert not guide.isVisible()
@@ -298,6 +338,10 @@ def test_a_missing_guide_is_said(qtbot, window, monkeypatch, tmp_path):
     monkeypatch.setattr(module, "resource", lambda *_parts: tmp_path)
     window.guide.open("index.md")
     assert said == ["The guide is missing from this installation of BobDesk; install it again."]
+
+
+def test_a_number_and_its_unit_stay_on_one_line():
+    assert keep_units("0.1 is 10 %. 8 m, 3 known") == "0.1 is 10\u00a0%. 8\u00a0m, 3 known"
 
 
 def test_names_of_headings_in_links():

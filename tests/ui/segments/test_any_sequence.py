@@ -24,6 +24,7 @@ from bobdesk.ui.plan_picture import PlanPicture
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.runner import Runner
 from bobdesk.ui.segments.alignment_now import alignment_now
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.segments.boundary_drag import BoundaryDrag
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.segments.segments_model import SegmentsModel
@@ -57,6 +58,7 @@ class AtTheDesk(RuleBasedStateMachine):
         session.open(edits.open_coordinates(Project(), LINE), None)
         self.now = alignment_now(self.desk)
         self.do = operations(self.desk)
+        self.find = automatic_operations(self.desk)
         self.drag = BoundaryDrag(self.desk, self.owner)
         self.model = SegmentsModel(self.desk, self.owner)
         self.locked: set[tuple[str, float, float]] = set()
@@ -151,21 +153,21 @@ class AtTheDesk(RuleBasedStateMachine):
     @rule(threshold=st.floats(0.002, 0.03), shortest=st.floats(1.0, 15.0))
     def change_settings(self, threshold: float, shortest: float) -> None:
         self.remember()
-        self.do.change_settings(threshold=threshold, shortest=shortest)
+        self.find.change_settings(threshold=threshold, shortest=shortest)
 
     @rule(count=st.none() | st.integers(1, 12))
     def want(self, count: int | None) -> None:
         self.remember()
-        self.do.change_settings(count=count)
+        self.find.change_settings(count=count)
 
     @rule()
     def detect_again(self) -> None:
         self.remember()
-        self.do.detect_again()
+        self.find.detect_again()
 
     @rule()
     def automatic(self) -> None:
-        self.do.back_to_automatic()
+        self.find.back_to_automatic()
         self.locked = set()
 
     @rule(steps=st.integers(1, 4))

@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from bobdesk.project import derive
 from bobdesk.ui.plan_view.line_on_plan import LineOnPlan
 from bobdesk.ui.plan_view.view import PlanView
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.segments.segments_table import SegmentsTable
 from bobdesk.ui.strips.strip_stack import StripStack
@@ -143,7 +144,7 @@ def test_plan_strips_and_table_never_disagree_after_any_operation(desk, now, vie
         qtbot.addWidget(widget)
         widget.resize(1200, 400)
         widget.show()
-    do = operations(desk)
+    do, find = operations(desk), automatic_operations(desk)
 
     def agree():
         idle()
@@ -162,10 +163,10 @@ def test_plan_strips_and_table_never_disagree_after_any_operation(desk, now, vie
         lambda: (do.select(2), do.select(3, add=True), do.merge()),
         lambda: do.move_boundary(5, now.segments[5].end - 3),
         lambda: (do.select(1), do.lock()),
-        lambda: do.change_settings(count=11),
-        do.detect_again,
-        lambda: do.change_settings(threshold=0.02, count=None),
-        do.back_to_automatic,
+        lambda: find.change_settings(count=11),
+        find.detect_again,
+        lambda: find.change_settings(threshold=0.02, count=None),
+        find.back_to_automatic,
         desk.session.undo,
         desk.session.undo,
         desk.session.undo,

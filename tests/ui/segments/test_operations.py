@@ -11,12 +11,18 @@ from bobdesk.project.project import Project
 from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
+from bobdesk.ui.segments.automatic_operations import AutomaticOperations, automatic_operations
 from bobdesk.ui.segments.operations import SegmentOperations, operations
 
 
 @pytest.fixture
 def do(desk: Desk, now: AlignmentNow) -> SegmentOperations:
     return operations(desk)
+
+
+@pytest.fixture
+def find(desk: Desk, now: AlignmentNow) -> AutomaticOperations:
+    return automatic_operations(desk)
 
 
 def test_split_at_the_cursor_selects_the_new_boundary(desk, now, do, told):
@@ -29,7 +35,7 @@ def test_split_at_the_cursor_selects_the_new_boundary(desk, now, do, told):
     assert told == []
 
 
-def test_what_is_not_possible_is_said(desk, now, do, told):
+def test_what_is_not_possible_is_said(desk, now, do, find, told):
     before = desk.session.project
     do.split()
     assert "is split there" in told[-1]
@@ -40,9 +46,9 @@ def test_what_is_not_possible_is_said(desk, now, do, told):
     desk.selection.segments = (2, 5)
     do.merge()
     assert "Only neighbours" in told[-1]
-    do.detect_again()
+    find.detect_again()
     assert "are automatic" in told[-1]
-    do.back_to_automatic()
+    find.back_to_automatic()
     assert "automatic already" in told[-1]
     desk.selection.station = now.segments[4].start + 0.2
     do.split()
@@ -51,8 +57,8 @@ def test_what_is_not_possible_is_said(desk, now, do, told):
 
 
 def test_without_a_line_every_operation_says_so(desk, told):
-    do = operations(desk)
-    for one in (do.split, do.merge, do.flip, do.lock, do.delete_boundary, do.number_curves, do.detect_again):
+    do, find = operations(desk), automatic_operations(desk)
+    for one in (do.split, do.merge, do.flip, do.lock, do.delete_boundary, do.number_curves, find.detect_again):
         one()
     assert len(told) == 7
     assert all("a line comes first" in sentence for sentence in told)
@@ -112,67 +118,67 @@ def test_next_and_previous_walk_along_the_line(desk, now, do):
     assert desk.selection.segments == (0,)
 
 
-def test_detecting_again_keeps_corrections_and_automatic_gives_them_up(desk, now, do, idle):
+def test_detecting_again_keeps_corrections_and_automatic_gives_them_up(desk, now, do, find, idle):
     automatic = now.segments
     do.move_boundary(2, automatic[2].end + 5.0)
     do.select(8)
     do.lock()
-    do.change_settings(threshold=0.01)
+    find.change_settings(threshold=0.01)
     idle()
     assert now.segments[2].end == automatic[2].end + 5.0
     assert any(segment == dataclasses.replace(automatic[8], locked=True) for segment in now.segments)
     assert desk.session.project.segmentation.threshold == 0.01
-    do.back_to_automatic()
+    find.back_to_automatic()
     idle()
     assert desk.session.project.segments is None
     desk.session.undo()
     assert now.segments[2].end == automatic[2].end + 5.0
 
 
-def test_changes_that_follow_each_other_fast_are_all_kept(desk, now, do, idle):
-    do.change_settings(threshold=0.006)
-    do.change_settings(shortest=12.0)
-    do.change_settings(change_cost=7.0)
+def test_changes_that_follow_each_other_fast_are_all_kept(desk, now, do, find, idle):
+    find.change_settings(threshold=0.006)
+    find.change_settings(shortest=12.0)
+    find.change_settings(change_cost=7.0)
     idle()
     settings = desk.session.project.segmentation
     assert (settings.threshold, settings.shortest, settings.change_cost) == (0.006, 12.0, 7.0)
 
 
-def test_settings_that_cannot_be_met_are_refused_and_nothing_is_lost(desk, now, do, idle, told):
+def test_settings_that_cannot_be_met_are_refused_and_nothing_is_lost(desk, now, do, find, idle, told):
     before = desk.session.project
-    do.change_settings(count=900)
+    find.change_settings(count=900)
     idle()
     assert "cannot be told apart" in told[-1]
     assert desk.session.project is before
     assert len(now.segments) == 17
 
 
-def test_a_threshold_is_previewed_before_it_is_kept(desk, now, do, idle):
+def test_a_threshold_is_previewed_before_it_is_kept(desk, now, do, find, idle):
     before = desk.session.project
-    do.preview_threshold(0.03)
+    find.preview_threshold(0.03)
     idle()
     assert desk.session.project is before
     assert now.is_preview
     assert now.threshold == 0.03
     shown = now.segments
-    do.change_settings(threshold=0.03)
+    find.change_settings(threshold=0.03)
     idle()
     assert not now.is_preview
     assert [s.end for s in now.segments] == pytest.approx([s.end for s in shown])
     desk.session.undo()
     idle()
-    do.preview_threshold(0.02)
-    do.drop_preview()
+    find.preview_threshold(0.02)
+    find.drop_preview()
     idle()
     assert not now.is_preview
     assert len(now.segments) == 17
 
 
-def test_numbers_and_names_survive_detecting_again(desk, now, do, idle):
+def test_numbers_and_names_survive_detecting_again(desk, now, do, find, idle):
     do.number_curves()
     assert [s.name for s in now.segments if s.kind == "curve"] == [str(n) for n in range(1, 9)]
     do.rename(3, "Kreisel")
-    do.change_settings(threshold=0.0041)
+    find.change_settings(threshold=0.0041)
     idle()
     assert sum(s.name == "Kreisel" for s in now.segments) == 1
     assert desk.session.project.segments is not None
@@ -214,3 +220,63 @@ def test_the_documents_segments_and_those_shown_agree_after_undo(desk: Desk, now
         wanted = derive.segments(project).needed()
         assert alignment_now(desk).segments == wanted
         check_segments(wanted, length=now.value.line.length)
+
+
+def test_detecting_again_without_a_change_says_why(desk, now, do, find, idle, told):
+    do.flip_one(3)
+    before = desk.session.project
+    find.detect_again()
+    idle()
+    assert desk.session.project is before
+    assert told == [
+        "Nothing changed: 1 of 17 segments are locked or made by hand and stay, and with the same settings the others"
+        " are found as they are."
+    ]
+
+
+def test_detecting_again_with_nothing_corrected_any_more_says_so(desk, now, do, find, idle, told):
+    do.set_locked(3, locked=True)
+    do.set_locked(3, locked=False)
+    before = now.segments
+    find.detect_again()
+    idle()
+    assert desk.session.project.segments is None
+    assert now.segments == before
+    assert told == ["Nothing changed: with the same settings all 17 segments are found as they are."]
+
+
+def test_detecting_again_with_a_change_says_nothing(desk, now, do, find, idle, told):
+    do.select(4)
+    do.select(6, add=True)
+    do.merge()
+    project = desk.session.project
+    loose = tuple(dataclasses.replace(one, by_hand=False) for one in project.segments)
+    desk.session.apply("Loose", lambda before: dataclasses.replace(before, segments=loose))
+    do.set_locked(0, locked=True)
+    find.detect_again()
+    idle()
+    assert len(now.segments) == 17
+    assert told == []
+
+
+def test_a_threshold_dragged_back_to_where_it_was_shows_the_document_again(desk, now, find, idle):
+    find.change_settings(threshold=0.01)
+    idle()
+    find.preview_threshold(0.03)
+    idle()
+    assert now.is_preview
+    find.change_settings(threshold=0.01)
+    idle()
+    assert not now.is_preview
+    assert now.threshold == 0.01
+
+
+@pytest.mark.parametrize(("by", "number"), [(-500.0, 4), (500.0, 5)])
+def test_a_nudge_that_can_go_no_further_says_so(desk, now, do, told, by, number):
+    do.select_boundary(3)
+    do.nudge(by)
+    assert told == []
+    end = now.segments[3].end
+    do.nudge(by / 1000)
+    assert now.segments[3].end == end
+    assert told == [f"The boundary can go no further: segment {number} would be shorter than 3.0 m."]

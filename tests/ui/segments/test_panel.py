@@ -2,16 +2,23 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QPushButton
 
+from bobdesk.alignment.segments import Segment, check_segments, in_words
 from bobdesk.files.importers.line3d import read_line3d
+from bobdesk.files.project_file import load_project, save_project
+from bobdesk.files.recovery import Recovery
+from bobdesk.files.recovery_store import recover, recoverable
 from bobdesk.plan.polyline import Polyline
 from bobdesk.project import edits
 from bobdesk.project.project import Project, SourceLine
+from bobdesk.project.segment_edits import shortest_by_hand
+from bobdesk.project.steps import steps
 from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.panels.segments_panel import SegmentsPanel
@@ -101,7 +108,7 @@ def test_the_published_rule_has_no_wanted_number(desk, now, panel, idle):
 def test_both_rules_are_seen_side_by_side(panel, idle):
     panel.rules.fold.set_open(True)
     idle()
-    assert "recommended 17 segments, published" in panel.rules.found.text()
+    assert "segments: recommended 17, published" in panel.rules.found.text()
     assert 0.5 < float(panel.rules.score.text()) <= 1.0
 
 
@@ -133,6 +140,71 @@ def test_segments_are_saved_and_opened(desk, now, panel, tmp_path, window, told,
     assert not files.save(tmp_path / "nowhere" / "s.csv")
 
 
+SHORT = {
+    "one": ("straight,0,0.01\ncurve,0.01,50\nstraight,50,{end}\n", "segment 1 is shorter", 2),
+    "several": (
+        "straight,0,20\ncurve,20,20.01\nstraight,20.01,21\ncurve,21,50\nstraight,50,50.5\ncurve,50.5,{end}\n",
+        "3 segments (2, 3 and 5) are shorter",
+        3,
+    ),
+    "all": (
+        "".join(f"curve,{at},{at + 2}\n" for at in range(0, 20, 2)) + "straight,20,{end}\n",
+        "10 segments (1, 2, 3, 4, 5, 6, …) are shorter",
+        None,
+    ),
+}
+
+
+@pytest.mark.parametrize("case", SHORT)
+def test_segments_of_a_file_that_are_too_short_are_joined_and_said(desk, now, panel, tmp_path, window, told, case):
+    rows, sentence, count = SHORT[case]
+    (tmp_path / "short.csv").write_text("kind,from_m,to_m\n" + rows.format(end=now.value.line.length))
+    assert SegmentFiles(desk, window).open(tmp_path / "short.csv")
+    assert len(told) == 1
+    assert told[0].startswith("short.csv: ")
+    assert sentence in told[0]
+    assert "3.0 m" in told[0]
+    assert count is None or len(now.segments) == count
+    shortest = shortest_by_hand(desk.session.project)
+    assert min(one.length for one in now.segments) >= shortest
+    check_segments(now.segments, length=now.value.line.length)
+    desk.session.undo()
+    assert len(now.segments) == 17
+
+
+@pytest.mark.parametrize(
+    ("kinds", "sentence"),
+    [
+        ("s", "1 segment, a straight"),
+        ("c", "1 segment, a curve"),
+        ("ss", "2 segments, none of them a curve"),
+        ("sc", "2 segments, 1 of them a curve"),
+        ("cc", "2 segments, all of them curves"),
+        ("scsc", "4 segments, 2 of them curves"),
+    ],
+)
+def test_few_segments_are_counted_in_good_english(desk, now, panel, kinds, sentence):
+    length = now.value.line.length
+    ends = [length * (index + 1) / len(kinds) for index in range(len(kinds))]
+    words = {"s": "straight", "c": "curve"}
+    made = tuple(
+        Segment(words[kind], start, end) for kind, start, end in zip(kinds, [0.0, *ends[:-1]], ends, strict=True)
+    )
+    operations(desk).take(made, "x")
+    assert panel.state.text().split(" · ")[0] == sentence
+    assert in_words(now.segments) == sentence
+    found = next(step for step in steps(desk.session.project) if step.name == "Segments")
+    assert found.sentence == f"{sentence}, set by hand."
+
+
+def test_a_question_keeps_its_question_mark(desk, panel, idle):
+    tiny = SourceLine("tiny.csv", Polyline(np.array([[0.0, 0.0], [0.3, 0.0], [0.5, 0.1]])))
+    desk.session.open(edits.open_coordinates(Project(), tiny), None)
+    idle()
+    assert panel.problem.text().endswith("are the coordinates metres?")
+    assert all(not step.sentence.endswith("?.") for step in steps(desk.session.project))
+
+
 def test_a_design_is_compared_with_what_was_found(desk, now, panel, idle, told):
     points = read_line3d(CORTINA / "plan.csv").line.points
     line = SourceLine("plan.csv", Polyline(points[:, :2]))
@@ -157,6 +229,60 @@ def test_a_design_is_compared_with_what_was_found(desk, now, panel, idle, told):
     assert not panel.design.isVisible()
     assert not design.read(CORTINA / "SOURCE.md")
     assert told
+
+
+def test_a_design_is_kept_in_the_project_undone_saved_and_recovered(desk, now, panel, tmp_path, idle, until):
+    design, session = design_of(desk), desk.session
+    assert design.read(CORTINA / "design.json")
+    assert session.undo_label == "Compare with a design"
+    compared = session.project
+    first = design.offset
+    panel.design.offset.setValue(first + 1)
+    panel.design.offset.setValue(first + 2.5)
+    assert session.undo_label == "Move design"
+    assert session.project.design.offset == first + 2.5
+    moved = session.project
+    session.undo()
+    assert session.project is compared
+    assert panel.design.offset.value() == first
+    session.undo()
+    assert not panel.design.isVisible()
+    session.redo()
+    session.redo()
+    assert session.project is moved
+    assert panel.design.isVisible()
+
+    save_project(moved, tmp_path / "a.bobdesk")
+    recovery = Recovery(tmp_path / "kept")
+    recovery.keep(moved, path=None, last_edit="Move design")
+    recovery.wait(10)
+    recovery.close(forget=False)
+    (copy,) = recoverable(tmp_path / "kept")
+    for again in (load_project(tmp_path / "a.bobdesk"), recover(copy)):
+        session.close()
+        idle()
+        assert not panel.design.isVisible()
+        session.open(again, None)
+        idle()
+        assert session.project.design == moved.design
+        assert panel.design.model.rowCount() == 16
+        assert panel.design.offset.value() == first + 2.5
+    design.close()
+    assert session.undo_label == "Stop comparing"
+    assert session.project.design is None
+
+
+@pytest.mark.parametrize(
+    ("rows", "sentence"),
+    [
+        ("9000,10,20\n", "d.csv: 1 curve, which has no counterpart in this line"),
+        ("9000,10,20\n9100,10,20\n", "d.csv: 2 curves, none of which has a counterpart in this line"),
+    ],
+)
+def test_a_design_without_counterparts_says_so(desk, now, panel, tmp_path, rows, sentence):
+    (tmp_path / "d.csv").write_text("from_m,length_m,radius_m\n" + rows)
+    assert design_of(desk).read(tmp_path / "d.csv")
+    assert panel.design.sentence.text() == sentence
 
 
 def test_every_control_has_a_name_and_a_tip(panel):

@@ -58,10 +58,33 @@ def test_stations_lengths_names_and_kinds_are_typed(desk, now, table, told):
     assert now.segments[1].kind == "straight"
     assert now.segments[1].name == "Kreisel"
     assert not edit(table, 1, "to", "far")
-    assert "Far is not a number" in told[-1]
+    assert told[-1] == "'far' is not a number; write it like 1234.5."
     for _ in range(5):
         desk.session.undo()
     assert now.segments[1].end == end
+
+
+@pytest.mark.parametrize("column", ["from", "length", "to"])
+@pytest.mark.parametrize("way", ["short", "long"])
+def test_what_is_typed_out_of_range_is_said_with_numbers(desk, now, table, told, column, way):
+    boundary = 2 if column == "from" else 3
+    first, last = now.segments[boundary].start + 3.0, now.segments[boundary + 1].end - 3.0
+    typed = {"short": "1.5", "long": "900"}[way] if column == "length" else {"short": "-20", "long": "5000"}[way]
+    assert edit(table, 3, column, typed)
+    wanted = first if way == "short" else last
+    assert now.segments[boundary].end == pytest.approx(wanted)
+    assert len(told) == 1
+    number = desk.quantities.length
+    assert told[0] == (
+        f"{typed} is out of range: the boundary between segments {boundary + 1} and {boundary + 2} can lie from"
+        f" {number(first, unit=False)} to {number(last)}, for no segment may be shorter than 3.0 m;"
+        f" it is at {number(wanted)} now."
+    )
+
+
+def test_what_is_typed_within_range_says_nothing(now, table, told):
+    assert edit(table, 3, "to", str(now.segments[3].start + 3.0))
+    assert told == []
 
 
 def test_the_ends_of_the_line_cannot_be_typed(now, table):

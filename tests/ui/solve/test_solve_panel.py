@@ -55,7 +55,7 @@ def test_what_is_no_number_is_told_and_the_old_one_comes_back(desk, panel, qtbot
     before = desk.session.project.targets.length
     type_into(qtbot, panel.targets.length, "long")
     qtbot.keyClick(panel.targets.length, Qt.Key.Key_Return)
-    assert told == ["Long is not a number."]
+    assert told == ["'long' is not a number; write it like 1234.5."]
     assert desk.session.project.targets.length == before
     assert panel.targets.length.text() == str(before)
 

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from bobdesk.sentences import ended
 from bobdesk.ui.banner import Banner
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.dialogs.import_coordinates.line_view import LineView
@@ -257,7 +258,7 @@ class ImportDialog(QDialog):
     def _say(self, sentence: str) -> None:
         # the folder is known; the name of the file says enough
         shown = sentence.replace(str(self._path), self._path.name)
-        self._sentence.setText(shown if not shown or shown.endswith(".") else f"{shown}.")
+        self._sentence.setText(ended(shown) if shown else "")
         self.problem.setVisible(bool(sentence))
 
     def _say_notes(self, notes: tuple[str, ...]) -> None:

@@ -110,6 +110,12 @@ class CalibrateTool(Tool):
         self._say()
         return True
 
+    def let_go(self) -> None:
+        """Drop a drag; a point that waits for its coordinates goes on waiting."""
+        if self._held is not None:
+            self._held = None
+            self.repaint.emit()
+
     def take_back(self) -> bool:
         """Take back a point that waits for its coordinates."""
         return self._new is not None and self.cancel()

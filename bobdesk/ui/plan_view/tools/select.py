@@ -154,6 +154,11 @@ class SelectTool(Tool):
             return True
         return False
 
+    def let_go(self) -> None:
+        """Drop a drag, one that has hardly begun too."""
+        if self._grip is not None:
+            self.reset()
+
     def preview_points(self) -> FloatArray | None:
         """Return the vertices as the drag would leave them."""
         points = self._points()

@@ -140,6 +140,11 @@ class Tool(QObject):
         """Esc: drop what is under way, never what was placed; return whether there was something."""
         return False
 
+    def let_go(self) -> None:
+        """Drop a drag whose ground has changed: another step, the keyboard elsewhere; what is selected stays."""
+        if self.is_dragging:
+            self.cancel()
+
     def take_back(self) -> bool:
         """Undo in mid-work: take the last click back; return whether there was one."""
         return False
