@@ -50,7 +50,8 @@ def input_errors(
     scale
         1 sigma of the plan's scale, as a share; None if nothing is known of it.
     """
-    from bobdesk.alignment.length_error import length_sigma_of_vertices  # here, for it needs scipy
+    # Imported here, for a project's rules count figures' decimal places before scipy is loaded.
+    from bobdesk.alignment.length_error import length_sigma_of_vertices
 
     distance = line.length / max(vertices - 1, 1)
     digitising = length_sigma_of_vertices(line, vertex_distance=distance, wavelength=wavelength)
