@@ -17,7 +17,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parent.parent
 SAMPLES = ROOT / "resources" / "samples"
-LONGEST_JOB_S = 20.0
+LONGEST_JOB_S = 240.0
 WIDEST_PX = 1280
 COLOURS = 256
 # The practice picture: both ends of its scale bar and of its line, pixels; what is known of it.
@@ -34,6 +34,7 @@ def main() -> None:
     photographer = Photographer(folder)
     first_track(photographer)
     finished_sample(photographer)
+    beside(photographer)
     photographer.close()
     total = sum(path.stat().st_size for path in folder.glob("*.png"))
     print(f"{len(list(folder.glob('*.png')))} pictures, {total / 1e6:.1f} MB, are in {folder.resolve()}.")
@@ -287,6 +288,32 @@ def finished_sample(at: Photographer) -> None:
     at.do("export")
     at.rest(1.0)
     at.take("export", *file_of_export(at), margin=6)
+
+
+def beside(at: Photographer) -> None:
+    """Take pictures of the windows for methods and studies, with their work done."""
+    at.window.documents.begin()
+    at.rest()
+    at.window.start.open_sample("mugello")
+    at.until(lambda: at.window.desk.session.project.run is not None)
+    methods = at.window.beside.open("methods")
+    methods.resize(900, 640)
+    methods.compare()
+    at.until(lambda: not methods.is_running)
+    methods.table.choose(0)
+    at.rest(1.0)
+    at.save("methods", methods.grab())
+    methods.close()
+    study = at.window.beside.open("study")
+    study.resize(1000, 640)
+    study.form.counts.setText("8-24:4")
+    study.form.weights.setText("0.5; 1; 1.5")
+    study.solve()
+    at.until(lambda: not study.is_running and bool(study.results.rows))
+    study.results.pages.setCurrentIndex(1)
+    at.rest(1.0)
+    at.save("study", study.grab())
+    study.close()
 
 
 def part(at: Photographer, kind: str) -> object:

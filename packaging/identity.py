@@ -33,6 +33,8 @@ VERSION = _from_program("__version__")
 # Reverse DNS, as AppStream and macOS want it. It must stay the same for ever once a version has been published.
 APP_ID = _from_program("APPLICATION_ID")
 
+DEVELOPER_ID = APP_ID.rpartition(".")[0]
+
 NAME = "BobDesk"  # shown to people
 PROGRAM = "bobdesk"  # typed and installed
 GENERIC_NAME = "Bobsleigh track reconstruction"
@@ -46,8 +48,8 @@ AUTHORS = "The BobDesk authors"
 COPYRIGHT = "Copyright 2026 The BobDesk authors"
 LICENCE = "MIT"
 KEYWORDS = "bobsleigh;luge;skeleton;track;centreline;plan;simulation;"
-# Who answers for the packages, as "Name <address>"; whoever publishes them says so.
-MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", AUTHORS)
+# Who answers for the packages, as "Name <address>"; whoever publishes them says so. ".invalid" is nobody's for ever.
+MAINTAINER = os.environ.get("BOBDESK_MAINTAINER", f"{AUTHORS} <authors@bobdesk.invalid>")
 
 # The file type of a project: a ZIP whose first entry is project.json. "x-": not registered with IANA.
 FILE_SUFFIX = "bobdesk"

@@ -144,13 +144,17 @@ def open_data(window: object) -> Iterator[str]:
 
 def beside(window: object, take: Callable, work: Callable) -> None:
     """Walk through the windows beside the main one: empty, and with what they are for."""
+    from PySide6.QtCore import QSize
+
     methods = window.beside.open("methods")
+    methods.resize(QSize(1000, 720))
     take("window-methods-empty", methods)
     methods.compare()
     work(lambda: not methods.is_running)
     methods.table.choose(0)
     take("window-methods", methods)
     study = window.beside.open("study")
+    study.resize(QSize(1180, 760))
     take("window-study-empty", study)
     study.form.plans.add_files([SAMPLES / "mugello" / "mugello.csv"])
     work(lambda: not study.form.plans.is_reading)
@@ -164,6 +168,7 @@ def beside(window: object, take: Callable, work: Callable) -> None:
         study.results.pages.setCurrentIndex(page)
         take(f"window-study-{name}", study)
     published = window.beside.open("published")
+    published.resize(QSize(1180, 720))
     take("window-published-empty", published)
     published.solve()
     work(lambda: not published.is_running)

@@ -6,12 +6,12 @@ import errno
 import os
 import re
 import stat
-import tempfile
 import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from bobdesk.errors import InputError
+from bobdesk.files.new_file import new_file
 
 # Virus scanners, indexers and synchronised folders open a file just after it was written, for a moment.
 _PAUSES_S = (0.02, 0.05, 0.1, 0.2, 0.4) if os.name == "nt" else ()
@@ -134,8 +134,7 @@ def _shown(path: Path) -> str:
 
 def _staged(path: Path, content: bytes) -> Path:
     """Write the content beside its place, and return where."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=STAGED[0], suffix=STAGED[1])
-    temporary = Path(name)
+    handle, temporary = new_file(path.parent, prefix=STAGED[0], suffix=STAGED[1])
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)

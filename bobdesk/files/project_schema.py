@@ -241,6 +241,14 @@ class FiguresEntry(_Strict):
     mean_curvature_difference: float
 
 
+class IteratesEntry(_Strict):
+    """A KeptIterates; the table is the name of one."""
+
+    layouts: list[LayoutEntry]
+    edge_gradients: list[list[float]]
+    table: str
+
+
 class RunEntry(_Strict):
     """A Run; the history is the name of a table."""
 
@@ -264,6 +272,7 @@ class RunEntry(_Strict):
     seconds: float
     stages: list[str]
     history: str
+    iterates: IteratesEntry | None = None
 
 
 class ActualEntry(_Strict):
@@ -304,6 +313,24 @@ class SledEntry(_Strict):
     air_density: float
 
 
+class DesignCurveEntry(_Strict):
+    """A DesignCurve."""
+
+    start: float
+    length: float
+    radius: float
+    side: Literal["left", "right"] | None
+    name: str
+
+
+class DesignEntry(_Strict):
+    """A DesignList."""
+
+    name: str
+    curves: list[DesignCurveEntry]
+    offset: float
+
+
 class Document(_Strict):
     """A Project."""
 
@@ -334,3 +361,4 @@ class Document(_Strict):
     plan_error: float | None = None
     rules: list[RuleEntry] | None = None
     sled: SledEntry | None = None
+    design: DesignEntry | None = None

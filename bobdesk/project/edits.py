@@ -7,6 +7,7 @@ history with a label.
 
 from __future__ import annotations
 
+from bobdesk.project.design_edits import compare_with_design, compare_with_no_design, move_design
 from bobdesk.project.line_edits import (
     cut_final_climb,
     delete_line,
@@ -120,6 +121,8 @@ __all__ = [
     "choose_scale_way",
     "choose_target_set",
     "compare_with",
+    "compare_with_design",
+    "compare_with_no_design",
     "compare_with_nothing",
     "cut_final_climb",
     "delete_boundary",
@@ -138,6 +141,7 @@ __all__ = [
     "merge_segments",
     "move_boundary",
     "move_control_point",
+    "move_design",
     "move_vertex",
     "move_vertices",
     "name_project",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from bobdesk.alignment.design import DesignList
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segments
@@ -235,6 +236,8 @@ class Project:
         1 sigma of the plan's scale as a share of it, as the user knows it; None for what the calibration says.
     rules, sled
         Design rules, None for those that come with BobDesk, and the sled that some are judged by.
+    design
+        The designer's list of curves that the segments are compared with.
     """
 
     name: str = ""
@@ -262,6 +265,7 @@ class Project:
     plan_error: float | None = None
     rules: tuple[Rule, ...] | None = None
     sled: Sled = field(default_factory=Sled)
+    design: DesignList | None = None
 
     @property
     def targets(self) -> TargetSet:

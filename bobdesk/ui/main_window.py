@@ -210,6 +210,8 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self._on_state)
         session.refused.connect(self.desk.notices.error)
         self.steps_bar.chosen.connect(self.go_to)
+        # The guide's key acts in the other windows, too.
+        self.beside.made.connect(lambda made: made.addAction(self.actions_by_name["guide"]))
         self.view.pointer_moved.connect(self.status.show_place)
         self.view.said.connect(self.status.say)
         self.desk.selection.vertices_changed.connect(self.actions_by_name.refresh)
@@ -222,6 +224,7 @@ class MainWindow(QMainWindow):
         self._on_state()
 
     def _on_document(self) -> None:
+        self.notice_bar.leave_document()
         self.desk.selection.clear()
         self._show_document()
 

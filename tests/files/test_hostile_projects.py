@@ -121,7 +121,21 @@ FILES: dict[str, tuple[Callable[[], bytes], str]] = {
     "no such run": (lambda: document(chosen_run=3), "the project in it is damaged: the run that it shows is missing"),
     "negative run": (lambda: document(chosen_run=-1), "the project in it is damaged: the run that it shows is missing"),
     "no targets": (lambda: document(target_sets=[]), "the project in it is damaged: its sets of targets"),
-    "no segments": (lambda: document(segments=[]), "there is no segment"),
+    "no segments": (lambda: document(segments=[]), "there are no segments in it"),
+    "a design of nothing": (
+        lambda: document(design={"name": "d", "curves": [], "offset": 0.0}),
+        "the project in it is damaged: the designer's list of curves makes no sense",
+    ),
+    "a design that turns on the spot": (
+        lambda: document(
+            design={
+                "name": "d",
+                "curves": [{"start": 1.0, "length": 5.0, "radius": 0.0, "side": "left", "name": ""}],
+                "offset": 0.0,
+            }
+        ),
+        "the project in it is damaged: the designer's list of curves makes no sense",
+    ),
     "huge array": (
         lambda: packed({"project.json": b"[" + b"[0,0]," * 19_000_000 + b"0]"}, zipfile.ZIP_STORED),
         "it holds more points than a project may",

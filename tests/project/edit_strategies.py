@@ -8,6 +8,7 @@ from typing import get_args
 import numpy as np
 from hypothesis import strategies as st
 
+from bobdesk.alignment.design import DesignCurve, DesignList
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
@@ -76,6 +77,16 @@ def _solver(draw: Draw) -> SolverSettings:
     return SolverSettings(method, settings, Weights(draw(positive), 1, draw(positive), 0))
 
 
+def _design(draw: Draw) -> DesignList:
+    curves = [
+        DesignCurve(
+            draw(metres), draw(positive), draw(positive), draw(st.sampled_from(["left", "right", None])), draw(words)
+        )
+        for _ in range(draw(st.integers(1, 3)))
+    ]
+    return DesignList(draw(words), tuple(curves), draw(metres))
+
+
 def _points(draw: Draw, count: int) -> np.ndarray:
     return np.array([[draw(pixels), draw(pixels)] for _ in range(count)])
 
@@ -90,6 +101,9 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
         d(st.sampled_from([None, full_project().segments])),
     ),
     "compare_with": lambda p, d: edits.compare_with(p, ActualTrack(d(words), np.full((3, 3), d(metres)))),
+    "compare_with_design": lambda p, d: edits.compare_with_design(p, _design(d)),
+    "move_design": lambda p, d: edits.move_design(p, d(metres)),
+    "compare_with_no_design": lambda p, d: edits.compare_with_no_design(p),
     "compare_with_nothing": lambda p, d: edits.compare_with_nothing(p),
     "add_control_point": lambda p, d: edits.add_control_point(p, _point(d)),
     "change_control_point": lambda p, d: edits.change_control_point(p, d(index), _point(d)),

@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 
+from bobdesk.alignment.design import DesignCurve, DesignList
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.trace_vertices import drawn_trace
@@ -92,7 +93,9 @@ def full_project() -> Project:
     project = edits.choose_target_set(project, 0)
     project = edits.keep_run(project, solved_run(project, "Run 2"))
     line = np.column_stack([bends(40), np.linspace(60.0, 0.0, 40)])
-    return edits.compare_with(project, ActualTrack("actual.csv", line))
+    project = edits.compare_with(project, ActualTrack("actual.csv", line))
+    curves = (DesignCurve(20.5, 30.25, 17.0, "left", "Labyrinth"), DesignCurve(90.0, 12.0, 33.0))
+    return edits.compare_with_design(project, DesignList("Design 1967", curves, 21.5))
 
 
 def coordinates_project() -> Project:

@@ -3,55 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
+from bobdesk.alignment.design import MOST_CURVES, DesignCurve, DesignList
 from bobdesk.errors import InputError
 from bobdesk.files.importers.json_text import finite_number, parse_json
 from bobdesk.files.importers.table import read_bytes, table_from
 from bobdesk.sentences import are_missing, listed
 
-_MOST_CURVES = 1000
 _NUMBERS = ("from_m", "length_m", "radius_m")
 _SIDES = {"left": "left", "l": "left", "right": "right", "r": "right", "": None}
-Side = Literal["left", "right"]
-
-
-@dataclass(frozen=True)
-class DesignCurve:
-    """One curve as it was designed.
-
-    Attributes
-    ----------
-    start, length
-        Station where it begins and length, m, in the designer's count.
-    radius
-        m.
-    side
-        Which way it turns, None where the list does not say.
-    name
-        May be empty.
-    """
-
-    start: float
-    length: float
-    radius: float
-    side: Side | None = None
-    name: str = ""
-
-    @property
-    def end(self) -> float:
-        """Station where it ends, m."""
-        return self.start + self.length
-
-
-@dataclass(frozen=True)
-class DesignList:
-    """Curves in order, and what the list is called."""
-
-    name: str
-    curves: tuple[DesignCurve, ...]
 
 
 def read_design_list(path: Path) -> DesignList:
@@ -78,8 +40,8 @@ def _from_json(data: bytes, *, name: str) -> tuple[str, list[DesignCurve]]:
     found = document.get("curves") if isinstance(document, dict) else document
     if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
         raise InputError(f"{name}: there is no list of curves in this JSON")
-    if len(found) > _MOST_CURVES:
-        raise InputError(f"{name}: there are more than {_MOST_CURVES:,} curves in it")
+    if len(found) > MOST_CURVES:
+        raise InputError(f"{name}: there are more than {MOST_CURVES:,} curves in it")
     title = document.get("name") if isinstance(document, dict) else ""
     curves = [
         _curve(
@@ -108,8 +70,8 @@ def _from_table(data: bytes, *, name: str) -> list[DesignCurve]:
     missing = [column for column in _NUMBERS if column not in header]
     if missing:
         raise InputError(f"{name}: {are_missing(missing)}; a list of curves needs {listed(_NUMBERS)}")
-    if len(table.rows) > _MOST_CURVES:
-        raise InputError(f"{name}: there are more than {_MOST_CURVES:,} curves in it")
+    if len(table.rows) > MOST_CURVES:
+        raise InputError(f"{name}: there are more than {MOST_CURVES:,} curves in it")
     numbers = [table.column(header.index(column), column) for column in _NUMBERS]
     curves = []
     for row, cells in enumerate(table.rows):

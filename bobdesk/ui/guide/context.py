@@ -32,12 +32,18 @@ PAGE_OF_PART: dict[str, str] = {
     "TargetsPart": "solve.md#what-is-known-of-the-track",
     "FeasibilityBox": "solve.md#can-these-figures-be-met",
     "KnownPart": "solve.md#known-elevations",
+    "AdvicePart": "what-the-data-leave-open.md#where-to-measure-next",
+    "BudgetPart": "what-the-data-leave-open.md#the-error-budget",
+    "DesignRulesPart": "export.md#design-rules",
     "MethodPart": "solve.md#method",
     "RunPart": "solve.md#run",
     "ConvergencePart": "solve.md#run",
     "RunsPart": "solve.md#several-runs",
     "FiguresPart": "solve.md#the-result",
     "ActualPart": "solve.md#beside-the-actual-track",
+    "MethodsWindow": "compare.md#compare-methods",
+    "StudyWindow": "compare.md#study",
+    "PublishedWindow": "compare.md#published-tables",
     "SpaceView": "solve.md#the-result-in-space",
 }
 

@@ -51,7 +51,7 @@ class Guide(QObject):
         """Open the page that explains what has the keyboard, or else the step that is shown."""
         from bobdesk.ui.guide.context import place_in_guide
 
-        self.open(place_in_guide(QApplication.focusWidget(), self._step()))
+        self.open(place_in_guide(QApplication.focusWidget() or QApplication.activeWindow(), self._step()))
 
     def open(self, place: str) -> None:
         """Open a page, or a heading in one: "solve.md#known-elevations"."""

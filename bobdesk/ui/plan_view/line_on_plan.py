@@ -12,9 +12,11 @@ from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.project import derive
 from bobdesk.project.project import Project
+from bobdesk.ui.plan_view.follow import Follower
 from bobdesk.ui.plan_view.near import nearest_on_line
 from bobdesk.ui.plan_view.space import Frame
 from bobdesk.ui.plan_view.strokes import polygon
+from bobdesk.ui.plan_view.tools.tool import Pointer
 from bobdesk.ui.segments.alignment_now import AlignmentNow
 
 _MOST_KEPT = 4000
@@ -105,31 +107,29 @@ class LineOnPlan:
             self._drawn_for = wanted
         return self._drawn
 
-    def nearest(
-        self, project: Project, place: tuple[float, float], *, between: tuple[float, float] | None = None
-    ) -> tuple[float, float] | None:
-        """Return the station of the line nearest to a place of the plan, and how far it is, plan units.
-
-        Parameters
-        ----------
-        between
-            Only this stretch, m: a line that crosses itself has two stations at one place.
-        """
+    def nearest(self, project: Project, place: tuple[float, float]) -> tuple[float, float] | None:
+        """Return the station of the line nearest to a place of the plan, and how far it is, plan units."""
         points, value = self.points(project), self._now.value
         if value is None or len(points) < 2:
             return None
         stations = value.line.stations
-        first, last = 0, len(stations)
-        if between is not None:
-            first = max(int(np.searchsorted(stations, between[0])) - 1, 0)
-            last = min(int(np.searchsorted(stations, between[1])) + 2, len(stations))
-        part = points[first:last]
-        found = nearest_on_line(part, place)
-        edge = part[found.edge + 1] - part[found.edge]
+        found = nearest_on_line(points, place)
+        edge = points[found.edge + 1] - points[found.edge]
         length = float(np.hypot(*edge))
-        share = 0.0 if length == 0 else float(np.hypot(*np.subtract(found.place, part[found.edge]))) / length
-        low, high = stations[first + found.edge : first + found.edge + 2]
+        share = 0.0 if length == 0 else float(np.hypot(*np.subtract(found.place, points[found.edge]))) / length
+        low, high = stations[found.edge : found.edge + 2]
         return float(low + min(share, 1.0) * (high - low)), found.away
+
+    def follower(
+        self, project: Project, station: float, pointer: Pointer, *, between: tuple[float, float]
+    ) -> Follower | None:
+        """Return what follows the line from a station on as the mouse drags; `between` are the ends, m."""
+        points, value = self.points(project), self._now.value
+        if value is None or len(points) < 2:
+            return None
+        return Follower(
+            points, value.line.stations, station, pointer.plan, between=between, per_screen=pointer.px_per_screen
+        )
 
     def metres_per_unit(self, project: Project) -> float:
         """Return metres of the line per plan unit."""

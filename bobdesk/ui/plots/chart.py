@@ -15,7 +15,7 @@ from bobdesk.ui.plots.decimated import decimated
 from bobdesk.ui.theme import colours
 
 _GAP, _TICK, _SAMPLE = 8.0, 5.0, 28.0
-_LEGEND_SHARE = 0.36
+_LEGEND_SHARE, _NARROW_SHARE, _NARROW = 0.36, 0.5, 640.0
 _MARKED_UP_TO = 60
 _ROOM_SHARE = 0.04
 # Colour never stands alone: neighbours in the legend differ in their line, too.
@@ -154,7 +154,7 @@ def _beside_legend(painter: QPainter, area: QRectF, series: Sequence[Series]) ->
         return area
     metrics = QFontMetricsF(painter.font())
     widest = max(metrics.horizontalAdvance(each.name) for each in series) + _SAMPLE + 2 * _GAP
-    width = min(widest, _LEGEND_SHARE * area.width())
+    width = min(widest, (_NARROW_SHARE if area.width() < _NARROW else _LEGEND_SHARE) * area.width())
     row = metrics.height() + 4
     most = max(1, int(area.height() / row))
     shown_series = series if len(series) <= most else series[: most - 1]

@@ -90,9 +90,18 @@ class DesignPart(Part):
             return
         missing = sum(pair.segment is None for pair in self._pairs)
         off = [abs(self._off(pair)) for pair in self._pairs if math.isfinite(self._off(pair))]
-        text = self.tr(
-            "{name}: {count} curves, {missing} without a counterpart; radii differ by {percent} % at the median"
-        )
+        if len(found.curves) == 1:
+            text = (
+                self.tr("{name}: 1 curve, which has no counterpart in this line")
+                if missing
+                else self.tr("{name}: 1 curve; its radius differs by {percent} %")
+            )
+        elif not off:
+            text = self.tr("{name}: {count} curves, none of which has a counterpart in this line")
+        else:
+            text = self.tr(
+                "{name}: {count} curves, {missing} without a counterpart; radii differ by {percent} % at the median"
+            )
         median = sorted(off)[len(off) // 2] if off else math.nan
         self.sentence.setText(
             text.format(

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import platformdirs
 
+from bobdesk.files.new_file import new_file
 from bobdesk.ui.resources import resource
 
 # Modules and, where a module does not tell its version itself, their distributions.
@@ -90,8 +91,10 @@ def _folder(place: Path) -> dict[str, object]:
     while not there.is_dir() and there != there.parent:
         there = there.parent
     try:
-        with tempfile.TemporaryFile(dir=there):
-            writable = True
+        handle, path = new_file(there, prefix=".bobdesk-", suffix=".try")
+        os.close(handle)
+        path.unlink()
+        writable = True
     except OSError:
         writable = False
     return {"path": str(place), "exists": place.is_dir(), "writable": writable}

@@ -5,7 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtWidgets import QWidget
 
 from bobdesk.ui.desk import Desk
 
@@ -22,7 +23,14 @@ class BesideWindows(QObject):
     ----------
     data_folder
         Where finished rows of studies are kept.
+
+    Signals
+    -------
+    made
+        A window, before it is shown for the first time.
     """
+
+    made = Signal(QWidget)
 
     def __init__(self, desk: Desk, data_folder: Path, parent: QObject) -> None:
         super().__init__(parent)
@@ -33,6 +41,7 @@ class BesideWindows(QObject):
         """Show a window, as it was left."""
         if name not in self._made:
             self._made[name] = self._make(name)
+            self.made.emit(self._made[name])
         self._made[name].open()
         return self._made[name]
 

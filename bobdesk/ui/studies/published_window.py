@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QPushButton, QStackedWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QStackedWidget, QWidget
 
 from bobdesk.progress import Progress
 from bobdesk.ui.desk import Desk
@@ -18,6 +18,7 @@ from bobdesk.ui.studies.beside_window import BesideWindow
 from bobdesk.ui.studies.icon_button import IconButton
 from bobdesk.ui.studies.rows_table import RowsModel, RowsTable
 from bobdesk.ui.studies.saving import save_file
+from bobdesk.ui.studies.wrapping_row import wrapping_row
 from bobdesk.ui.widgets.long_names import shortened
 
 if TYPE_CHECKING:
@@ -149,10 +150,8 @@ class PublishedWindow(BesideWindow):
         return read_published(resource("published", "tables.json"))
 
     def _lay_out(self) -> None:
-        plans = QGridLayout()
-        plans.setHorizontalSpacing(8)
-        plans.setVerticalSpacing(4)
-        for at, track in enumerate(TRACKS):
+        groups = []
+        for track in TRACKS:
             state = QLabel(self)
             state.setTextFormat(Qt.TextFormat.PlainText)
             own = IconButton(
@@ -169,26 +168,22 @@ class PublishedWindow(BesideWindow):
             own.clicked.connect(partial(self.ask_for_plan, track))
             back.clicked.connect(partial(self.use_plan, track, None))
             self.states[track], self.own_buttons[track], self.back_buttons[track] = state, own, back
-            row, column = divmod(at, 2)
-            for offset, widget in enumerate((state, own, back)):
-                plans.addWidget(widget, row, 4 * column + offset)
-            plans.setColumnMinimumWidth(4 * column, 260)
-        plans.setColumnMinimumWidth(3, 24)
-        plans.setColumnStretch(7, 1)
-        buttons = QHBoxLayout()
-        buttons.addWidget(self.copy_button)
-        buttons.addWidget(self.csv_button)
-        buttons.addStretch(1)
+            group = QWidget(self)
+            row = QHBoxLayout(group)
+            row.setContentsMargins(0, 0, 18, 0)
+            for widget in (state, own, back):
+                row.addWidget(widget)
+            groups.append(group)
         self.changed_note = QLabel(
             self.tr("! Other plans are chosen than these rows were made from. Solve again."), self
         )
         self.changed_note.setProperty("kind", "warning")
         self.changed_note.setWordWrap(True)
         self.column.addWidget(self.about)
-        self.column.addLayout(plans)
+        self.column.addWidget(wrapping_row(self, groups))
         self.column.addWidget(self.changed_note)
         self.column.addWidget(self.stack, 1)
-        self.column.addLayout(buttons)
+        self.column.addWidget(wrapping_row(self, (self.copy_button, self.csv_button)))
         self.column.addWidget(self.bar)
 
     def _on_progress(self, step: object) -> None:

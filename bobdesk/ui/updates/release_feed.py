@@ -1,8 +1,8 @@
 """Where the newest version is told of, and what is told.
 
-Where the address stands: in the one file resources/release-feed, which whoever publishes installers has put there
-(RELEASE_FEED in packaging/identity.py). Without it there is nobody to ask, and the program offers nothing: so it is in
-a checkout, and so it is where a package manager brings new versions.
+The address stands in the one file resources/release-feed, which whoever publishes installers has put there
+(RELEASE_FEED in packaging/identity.py). Without it there is nobody to ask, and the program offers nothing: so it
+is in a checkout, and so it is where a package manager brings new versions.
 
 What is read is one JSON object with `tag_name` ("v1.2.0") and `html_url` (the page for people), as GitHub tells of
 the latest release.

@@ -51,7 +51,8 @@ class Machine:
             "WINEPREFIX": str(home / "prefix"),
             "WINEARCH": "win64",
             "WINEDEBUG": "-all",
-            "WINEDLLOVERRIDES": "mscoree=;mshtml=",
+            # Neither .NET nor HTML, which would be asked for; no shortcuts among those of the Unix desktop.
+            "WINEDLLOVERRIDES": "mscoree=;mshtml=;winemenubuilder.exe=d",
         }
         self._own(home)
         self._plain([WINE, "wineboot", "-i"])
@@ -132,8 +133,8 @@ class Machine:
         return path
 
     def files(self) -> set[str]:
-        """Return the paths of all files and folders on drive C."""
-        return {path.relative_to(self.drive).as_posix() for path in self.drive.rglob("*")}
+        """Return the paths of all files and folders in the home, in which drive C lies."""
+        return {path.relative_to(self.home).as_posix() for path in self.home.rglob("*")}
 
     def stop(self) -> None:
         """End everything that runs there."""

@@ -180,7 +180,7 @@ def look_at_registry(machine: Machine) -> None:
         if (found := machine.registry(key, name)) != value:
             raise TrialError(f"HKCU\\{key} {name or '(default)'} is {found!r}, not {value!r}")
     size = int(machine.registry(APPS, "EstimatedSize") or "0", 0)
-    shortcuts = sorted(path.name for path in machine.drive.rglob(f"*{identity.NAME}*.lnk"))
+    shortcuts = sorted(path.name for path in machine.home.rglob(f"*{identity.NAME}*.lnk"))
     if size < 100_000 or len(shortcuts) != 4:
         raise TrialError(f"the size is {size} KB, the shortcuts are {', '.join(shortcuts)}")
     say(f"in the list of programs with {size / 1000:.0f} MB; shortcuts: {', '.join(shortcuts)}")
@@ -240,7 +240,8 @@ def open_by_double_click(machine: Machine, picture: Path) -> None:
     for name in (f".{identity.FILE_SUFFIX}", identity.FILE_TYPE_PROGID):
         machine.run("reg", "copy", rf"HKCU\{CLASSES}\{name}", rf"HKLM\{CLASSES}\{name}", "/s", "/f")
     started = time.monotonic()
-    machine.run("start", "/unix", str(project), status=None)
+    # Not waited for: the program would hold the pipes of what started it.
+    machine.start("start", "/unix", str(project))
     wait_for(lambda: any(project.stem in title for title in machine.windows()), "the window of a project")
     say(f"a double click on {project.name} opens it in {time.monotonic() - started:.0f} s")
     time.sleep(15)  # for the picture: plots and pictures come after the window
@@ -291,11 +292,13 @@ def uninstall(machine: Machine, before: set[str]) -> None:
     machine.run(rf"{FOLDER}\{UNINSTALLER}", "/S")
     wait_for(lambda: not (machine.drive / PLACE).exists(), "the program's folder goes away", 60)
     time.sleep(2)
-    if {path: path.read_bytes() for path in settings.rglob("*") if path.is_file()} != kept:
-        raise TrialError("settings were changed or taken away")
-    own = settings.relative_to(machine.drive).as_posix()
-    mine = (own, PROJECT, str(Path(PROJECT).parent), str(Path(PLACE).parent))
-    new = sorted(name for name in machine.files() - before if not name.startswith(own) and name not in mine)
+    now = {path: path.read_bytes() for path in settings.rglob("*") if path.is_file()}
+    if now != kept:
+        changed = sorted(path.name for path in {*kept, *now} if kept.get(path) != now.get(path))
+        raise TrialError(f"settings were changed or taken away: {', '.join(changed)}")
+    mine = (settings, machine.drive / Path(PROJECT).parts[0], machine.drive / Path(PLACE).parts[0])
+    found = (machine.home / name for name in machine.files() - before)
+    new = sorted(path.relative_to(machine.home).as_posix() for path in found if not any(map(path.is_relative_to, mine)))
     left = [name for name in new if identity.PROGRAM in name.lower() or name.endswith(".lnk")]
     types = (f".{identity.FILE_SUFFIX}", identity.FILE_TYPE_PROGID, rf"Applications\{identity.WINDOWS_EXECUTABLE}")
     keys = [key for key in (APPS, KEY, *(rf"{CLASSES}\{name}" for name in types)) if machine.has_key(key)]

@@ -4,8 +4,9 @@ from pathlib import Path
 
 import pytest
 
+from bobdesk.alignment.design import DesignCurve
 from bobdesk.errors import InputError
-from bobdesk.files.importers.design_list import DesignCurve, read_design_list
+from bobdesk.files.importers.design_list import read_design_list
 
 SAMPLE = Path(__file__).parents[3] / "resources" / "samples" / "cortina_2026_design" / "design.json"
 

@@ -288,6 +288,21 @@ def test_f1_opens_the_heading_of_the_part_in_focus(qtbot, window):
     assert place_in_guide(None, None) == "index.md"
 
 
+@pytest.mark.parametrize(
+    ("name", "place"),
+    [("methods", "Compare methods"), ("study", "Study"), ("published", "Published tables")],
+)
+def test_f1_acts_in_the_windows_beside_the_main_one(qtbot, window, name, place):
+    beside = window.beside.open(name)
+    beside.activateWindow()
+    qtbot.waitUntil(beside.isActiveWindow)
+    qtbot.keyClick(beside, Qt.Key.Key_F1)
+    qtbot.waitUntil(lambda: window.guide.window is not None)
+    assert window.guide.window.browser.page.name == "compare.md"
+    assert window.guide.window.browser.textCursor().block().text() == place
+    beside.close()
+
+
 def test_the_page_of_keys_shows_those_in_force(qtbot, window):
     window.desk.settings.set_key("save", "Ctrl+Alt+S")
     window.guide.open("keys.md")

@@ -225,6 +225,8 @@ def test_the_columns_of_the_figures_are_those_that_are_written(line):
 
 def test_the_columns_of_the_commands_are_those_that_are_written():
     from bobdesk.files.exporters import study_tables, tables
+    from bobdesk.files.published_tables import METHODS, published_table
+    from bobdesk.files.rules_file import findings_table
     from bobdesk.plan.traced_line import Trace
     from bobdesk.solve.envelope import Envelope
 
@@ -233,7 +235,17 @@ def test_the_columns_of_the_commands_are_those_that_are_written():
     assert header(tables.trace_table(points, trace)) == columns_below("`bobdesk trace` writes")
     two = np.array([0.0, 1.0])
     assert header(tables.envelope_table(Envelope(two, two, two))) == columns_below("--envelope` writes")
-    assert header(study_tables.methods_table([])) == columns_below("--second-opinions` writes")
+    assert header(study_tables.study_table([])) == columns_below("`bobdesk study` and")
+    assert header(findings_table([])) == columns_below("`bobdesk rules` and")
+    published = header(published_table([]))
+    first = columns_below("`bobdesk published` and")
+    assert published[: len(first)] == first
+    others = one_line(PAGES["files.md"].text).split("After these come")[1]
+    named = re.findall(r"`([^`]+)`", others)
+    for name in published[len(first) :]:
+        who = next(one for one in ("paper", *METHODS) if name.startswith(f"{one}_"))
+        assert name.removeprefix(f"{who}_") in named
+    assert header(study_tables.methods_table([])) == columns_below("--second-opinions` and")
 
 
 def test_the_columns_of_the_segments_are_those_that_are_written():

@@ -11,6 +11,9 @@ from PySide6.QtWidgets import QPushButton
 
 from bobdesk.alignment.segments import Segment, check_segments, in_words
 from bobdesk.files.importers.line3d import read_line3d
+from bobdesk.files.project_file import load_project, save_project
+from bobdesk.files.recovery import Recovery
+from bobdesk.files.recovery_store import recover, recoverable
 from bobdesk.plan.polyline import Polyline
 from bobdesk.project import edits
 from bobdesk.project.project import Project, SourceLine
@@ -226,6 +229,60 @@ def test_a_design_is_compared_with_what_was_found(desk, now, panel, idle, told):
     assert not panel.design.isVisible()
     assert not design.read(CORTINA / "SOURCE.md")
     assert told
+
+
+def test_a_design_is_kept_in_the_project_undone_saved_and_recovered(desk, now, panel, tmp_path, idle, until):
+    design, session = design_of(desk), desk.session
+    assert design.read(CORTINA / "design.json")
+    assert session.undo_label == "Compare with a design"
+    compared = session.project
+    first = design.offset
+    panel.design.offset.setValue(first + 1)
+    panel.design.offset.setValue(first + 2.5)
+    assert session.undo_label == "Move design"
+    assert session.project.design.offset == first + 2.5
+    moved = session.project
+    session.undo()
+    assert session.project is compared
+    assert panel.design.offset.value() == first
+    session.undo()
+    assert not panel.design.isVisible()
+    session.redo()
+    session.redo()
+    assert session.project is moved
+    assert panel.design.isVisible()
+
+    save_project(moved, tmp_path / "a.bobdesk")
+    recovery = Recovery(tmp_path / "kept")
+    recovery.keep(moved, path=None, last_edit="Move design")
+    recovery.wait(10)
+    recovery.close(forget=False)
+    (copy,) = recoverable(tmp_path / "kept")
+    for again in (load_project(tmp_path / "a.bobdesk"), recover(copy)):
+        session.close()
+        idle()
+        assert not panel.design.isVisible()
+        session.open(again, None)
+        idle()
+        assert session.project.design == moved.design
+        assert panel.design.model.rowCount() == 16
+        assert panel.design.offset.value() == first + 2.5
+    design.close()
+    assert session.undo_label == "Stop comparing"
+    assert session.project.design is None
+
+
+@pytest.mark.parametrize(
+    ("rows", "sentence"),
+    [
+        ("9000,10,20\n", "d.csv: 1 curve, which has no counterpart in this line"),
+        ("9000,10,20\n9100,10,20\n", "d.csv: 2 curves, none of which has a counterpart in this line"),
+    ],
+)
+def test_a_design_without_counterparts_says_so(desk, now, panel, tmp_path, rows, sentence):
+    (tmp_path / "d.csv").write_text("from_m,length_m,radius_m\n" + rows)
+    assert design_of(desk).read(tmp_path / "d.csv")
+    assert panel.design.sentence.text() == sentence
 
 
 def test_every_control_has_a_name_and_a_tip(panel):

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QPainter
 
 from bobdesk.alignment.segments import segment_at
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.follow import Follower
 from bobdesk.ui.plan_view.line_on_plan import LineOnPlan
 from bobdesk.ui.plan_view.nudge import is_arrow
 from bobdesk.ui.plan_view.space import Frame
@@ -41,6 +42,7 @@ class BoundariesTool(Tool):
     def __init__(self, desk: Desk, parent: QObject | None = None) -> None:
         super().__init__(desk, parent)
         self._pressed: Pointer | None = None
+        self._follower: Follower | None = None
         self._is_moving = False
         self._hot: int | None = None
         self._frame: Frame | None = None
@@ -79,6 +81,9 @@ class BoundariesTool(Tool):
         if boundary is not None:
             if self._drag.hold(boundary):
                 self._pressed, self._is_moving = pointer, False
+                self._follower = self._line.follower(
+                    self.desk.session.project, self._drag.station, pointer, between=self._between(boundary)
+                )
             return
         found = self._line.nearest(self.desk.session.project, pointer.plan)
         if found is None:
@@ -98,15 +103,12 @@ class BoundariesTool(Tool):
             return
         way = pointer.screen - self._pressed.screen
         self._is_moving = self._is_moving or math.hypot(way.x(), way.y()) >= _A_DRAG
-        if not self._is_moving or self._now.known is None:
+        if not self._is_moving:
             return
-        boundary, segments = self._drag.boundary, self._now.known.segments
-        between = (segments[boundary].start, segments[boundary + 1].end)
-        found = self._line.nearest(self.desk.session.project, pointer.plan, between=between)
-        if found is not None:
+        if self._follower is not None:
             free = pointer.holds(Qt.KeyboardModifier.AltModifier)
             per_screen = pointer.px_per_screen * self._line.metres_per_unit(self.desk.session.project)
-            self._drag.drag(found[0], snap=0.0 if free else _SNAP * per_screen)
+            self._drag.drag(self._follower.to(pointer.plan), snap=0.0 if free else _SNAP * per_screen)
         self.repaint.emit()
 
     def leave(self) -> None:
@@ -214,6 +216,10 @@ class BoundariesTool(Tool):
     def _on_now(self) -> None:
         if self._hot is not None or self._is_moving:
             self.repaint.emit()
+
+    def _between(self, boundary: int) -> tuple[float, float]:
+        segments = self._now.segments
+        return segments[boundary].start, segments[boundary + 1].end
 
     def _boundary_at(self, pointer: Pointer) -> int | None:
         points, value = self._line.points(self.desk.session.project), self._now.value
