@@ -46,9 +46,10 @@ screenshots: $(READY)  ## a picture of every screen and dialog, in out/screensho
 guide-pictures: $(READY)  ## take the pictures of the user's guide anew, in resources/guide/pictures
 	@$(BIN)/python packaging/guide_pictures.py
 
-soak: $(READY)  ## ten minutes of editing, saving, being killed, and of random gestures
-	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 300
+soak: $(READY)  ## ten minutes of editing, being killed, random gestures, and being closed in mid-run
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.soak.kill_while_editing --seconds 200
 	@OPENBLAS_NUM_THREADS=1 QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.soak.random_gestures --seconds 300
+	@QT_QPA_PLATFORM=offscreen $(BIN)/python -m tests.soak.closing --times 50
 
 freeze: $(READY)  ## the program with all it needs in a folder of its own, dist/bobdesk
 	@$(BIN)/python packaging/freeze/freeze.py dist

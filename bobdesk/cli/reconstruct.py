@@ -30,6 +30,7 @@ from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
+from bobdesk.project.target_edits import STEEPEST_CHANGE
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
@@ -40,6 +41,12 @@ from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
+
+
+def _change(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
+    if value is not None and not 0 < value <= STEEPEST_CHANGE:
+        raise click.BadParameter(f"it must be more than 0 and at most {STEEPEST_CHANGE:g} per metre, not {value:g}.")
+    return value
 
 
 @click.command("reconstruct", cls=SeveralValues)
@@ -63,7 +70,8 @@ from bobdesk.track.figures import Figures, deviations, figures
 )
 @click.option(
     "--gradient-change",
-    type=click.FloatRange(min=0, min_open=True),
+    type=float,
+    callback=_change,
     metavar="PER_M",
     help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m.",
     show_default="a project's, else no limit",

@@ -241,6 +241,14 @@ class FiguresEntry(_Strict):
     mean_curvature_difference: float
 
 
+class IteratesEntry(_Strict):
+    """A KeptIterates; the table is the name of one."""
+
+    layouts: list[LayoutEntry]
+    edge_gradients: list[list[float]]
+    table: str
+
+
 class RunEntry(_Strict):
     """A Run; the history is the name of a table."""
 
@@ -264,6 +272,7 @@ class RunEntry(_Strict):
     seconds: float
     stages: list[str]
     history: str
+    iterates: IteratesEntry | None = None
 
 
 class ActualEntry(_Strict):

@@ -224,6 +224,7 @@ class MainWindow(QMainWindow):
         self._on_state()
 
     def _on_document(self) -> None:
+        self.notice_bar.leave_document()
         self.desk.selection.clear()
         self._show_document()
 

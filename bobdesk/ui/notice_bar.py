@@ -171,6 +171,12 @@ class NoticeBar(QWidget):
         self._set_tab_order()
         _announce(row)
 
+    def leave_document(self) -> None:
+        """Close what was said of the document until now; what stays until it is closed concerns the program."""
+        for row in tuple(self._rows):
+            if not row.notice.stays:
+                self._drop(row)
+
     def clear(self) -> None:
         """Close all notices."""
         for row in tuple(self._rows):

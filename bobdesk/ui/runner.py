@@ -92,6 +92,11 @@ class Job(QObject):
         """Go on after a rest."""
         self._may_go_on.set()
 
+    def rest(self) -> bool:
+        """Wait, on any thread of the job, while it is paused; return whether it has been stopped."""
+        self._may_go_on.wait()
+        return self._stop.is_set()
+
     def drained(self) -> list[Any]:
         """Return, and forget, what was yielded since the last time, for those who want every step."""
         steps = []

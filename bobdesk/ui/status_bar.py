@@ -96,7 +96,8 @@ class StatusBar(QStatusBar):
             parts.append(shortened(project.picture.name))
             if project.picture.size_px is not None:
                 width, height = project.picture.size_px
-                parts.append(self.tr("{width} × {height} px").format(width=width, height=height))
+                number = self._desk.quantities.number
+                parts.append(self.tr("{width} × {height} px").format(width=number(width, 0), height=number(height, 0)))
             found = derive.calibration(project).value
             if found is not None and found.scale_known:
                 per_pixel = self._desk.quantities.length(found.metres_per_pixel, 4)

@@ -48,6 +48,16 @@ def test_every_combination_is_a_row_in_order(finished):
     assert not finished.path("t.csv.unfinished").exists()
 
 
+def test_figures_below_zero_are_numbers_in_the_table(call):
+    table = call.path("t.csv")
+    targets = ("--length", "730", "--drop", "36")
+    said = call("study", call.plan, *targets, "--methods", "pgd,published", "--workers", 1, "-o", table)
+    assert said.status == 0, said.err
+    rows = pd.read_csv(table)
+    assert (rows.length_percent < -1).all()
+    assert "-0.000000" not in table.read_text()
+
+
 def test_sets_of_known_elevations_are_rows_of_methods_that_hold_them(call):
     sets = ("--known-set", "none", "--known-set", "350:14", "--known-set", "200:21 500:7")
     said = call(

@@ -116,7 +116,7 @@ class Report(QObject):
             lines = "<br>".join(_safe(line) for line in self._project.notes.splitlines())
             heading = self.tr("Notes")
             parts += [f"<h2>{_safe(heading)}</h2>", f"<p>{lines}</p>"]
-        parts.append(f'<p class="muted">{_safe(run.message)} BobDesk {__version__}.</p>')
+        parts.append(f'<p class="muted">{_safe(self._unit.sentence(run.message))} BobDesk {__version__}.</p>')
         body = "\n".join(parts)
         return (
             '<!DOCTYPE html>\n<html><head><meta charset="utf-8">'
@@ -204,9 +204,11 @@ class Report(QObject):
                 (self.tr("Level out over"), unit.length(pgd.level_out, 1)),
             ]
         weights = settings.weights
-        named = f"a {weights.length:g}, b {weights.height:g}, c {weights.curvature:g}, d {weights.gradient:g}"
-        rate = "–" if settings.rate is None else f"{settings.rate:g}"
-        return [*rows, (self.tr("Weights"), named), ("η", rate), ("δ", f"{settings.threshold:g}")]
+        named = "a {}, b {}, c {}, d {}".format(
+            *(unit.short(one, 6) for one in (weights.length, weights.height, weights.curvature, weights.gradient))
+        )
+        rate, threshold = unit.short(settings.rate, 6), unit.short(settings.threshold, 6)
+        return [*rows, (self.tr("Weights"), named), ("η", rate), ("δ", threshold)]
 
     def _segment_heads(self) -> tuple[str, ...]:
         return (self.tr("Segment"), self.tr("Kind"), self.tr("From"), self.tr("To"))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -13,7 +13,7 @@ from bobdesk.arrays import FloatArray
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.strips import strip_painting as paint
 from bobdesk.ui.strips.contents import Band, Bundle, Curve, Level, Marks, shade
-from bobdesk.ui.strips.overlay import Overlay
+from bobdesk.ui.strips.overlay import Overlay, StripPointer
 from bobdesk.ui.strips.station_axis import StationAxis
 from bobdesk.ui.strips.strip_mouse import StripMouse
 from bobdesk.ui.strips.strip_painting import Geometry, Words
@@ -159,6 +159,21 @@ class Strip(QWidget):
     def cancel(self, *, keep_place: bool = False) -> bool:
         """Drop what the mouse is doing; return whether there was something."""
         return self._mouse.cancel(keep_place=keep_place)
+
+    def cancel_mark(self) -> None:
+        """Let go of a mark that is being dragged."""
+        self._mouse.cancel_mark()
+
+    def place_at(self, at: QPoint) -> tuple[float, float]:
+        """Return station and value at a point of the widget."""
+        on = self.geometry_now()
+        return on.station(at.x()), self.from_shown(on.value(at.y()))
+
+    def mark_at(self, key: str, at: QPoint) -> int | None:
+        """Return the index of the mark at a point of the widget."""
+        pointer = StripPointer(QPointF(at), self.geometry_now(), Qt.KeyboardModifier.NoModifier)
+        found = self._mouse.mark_at(pointer)
+        return found[1] if found is not None and found[0] == key else None
 
     def draw(self, painter: QPainter, width: float, height: float, *, held: QPixmap | None = None) -> None:
         """Draw the strip in a size; `held` are curves that were drawn before."""

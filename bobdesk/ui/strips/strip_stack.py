@@ -57,6 +57,7 @@ class StripStack(QWidget):
         self.elevation = ElevationStrip(desk, self.axis, self)
         self._strips: list[Strip] = []
         self._segment_actions: list[QAction] = []
+        self._menu_fillers: list[Callable[[QMenu, Strip, QPoint], object]] = []
         self._saving = StripSaving(desk, self)
         self._splitter = QSplitter(Qt.Orientation.Vertical, self)
         self._splitter.setChildrenCollapsible(False)
@@ -96,6 +97,10 @@ class StripStack(QWidget):
         self._segment_actions = actions
         for action in actions:
             self.addAction(action)
+
+    def add_to_menu(self, fill: Callable[[QMenu, Strip, QPoint], object]) -> None:
+        """Have a function put more into the context menu of a strip, for a point of it."""
+        self._menu_fillers.append(fill)
 
     def select_range(self, first: float, last: float) -> None:
         """Show the figures of a stretch."""
@@ -309,14 +314,18 @@ class StripStack(QWidget):
         for action in self._segment_actions:
             if action.isEnabled():
                 menu.addAction(action)
+        strip = self._strip_at(at)
+        menu.addSeparator()
+        for fill in self._menu_fillers:
+            fill(menu, strip, strip.mapFromGlobal(at))
         menu.addSeparator()
         menu.addAction(icon("fit-all"), self.tr("Show the whole line"), self.fit)
         if self.curvature.selected_range is not None:
             menu.addAction(self.tr("Close the selected stretch"), self.clear_range)
         menu.addSeparator()
-        for text, fill in self._menus:
-            fill(menu.addMenu(text))
-        self._saving.fill_menu(menu, self._strip_at(at))
+        for text, fill_one in self._menus:
+            fill_one(menu.addMenu(text))
+        self._saving.fill_menu(menu, strip)
         return menu
 
     def _show_save_menu(self) -> None:

@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from bobdesk.files.project_file import load_project, save_project
 from bobdesk.project.record import COLUMNS
 from bobdesk.ui.plots.convergence import ConvergencePlot
 from bobdesk.ui.plots.convergence_data import NOTHING, SERIES, ConvergenceData, extremes, logarithms
@@ -126,14 +129,36 @@ def test_the_end_of_the_curve_is_the_reported_objective_and_iterates_can_be_seen
     part.plot.chosen.emit(run.nit // 2)
     assert shown.scrubbed is not None
     assert shown.line is not end
-    assert f"{shown.scrubbed.number:,}" in part.reading.text()
+    assert f"{int(run.iterates.numbers[shown.scrubbed]):,}" in part.reading.text()
     part.plot.setFocus()
     qtbot.keyClick(part.plot, Qt.Key.Key_End)
     assert shown.scrubbed is None
 
 
-def test_a_run_from_a_file_shows_its_way_without_lines(desk, qtbot):
-    desk.session.open(full_project(), None)
+def test_iterates_of_a_run_from_a_file_are_shown_too(desk, opened, solving, idle, qtbot, tmp_path):
+    solving.run()
+    idle()
+    save_project(desk.session.project, tmp_path / "run.bobdesk")
+    desk.session.open(load_project(tmp_path / "run.bobdesk"), None)
+    panel = Panel(desk)
+    qtbot.addWidget(panel)
+    part = ConvergencePart(panel)
+    idle()
+    run = desk.session.project.run
+    end = part.shown.line
+    part.plot.chosen.emit(run.nit // 2)
+    line = part.shown.line
+    assert line is not end
+    number = int(run.iterates.numbers[part.shown.scrubbed])
+    row = run.history[run.history[:, 0] == number][0]
+    assert line.slope_lengths[-1] == pytest.approx(row[3], rel=1e-9)
+    part.plot.chosen.emit(run.nit)
+    assert part.shown.line is end
+
+
+def test_a_run_of_an_older_file_shows_its_way_without_lines(desk, qtbot):
+    project = full_project()
+    desk.session.open(replace(project, runs=tuple(replace(run, iterates=None) for run in project.runs)), None)
     panel = Panel(desk)
     qtbot.addWidget(panel)
     part = ConvergencePart(panel)
@@ -141,4 +166,4 @@ def test_a_run_from_a_file_shows_its_way_without_lines(desk, qtbot):
     assert part.plot.data.count == len(run.history)
     part.plot.chosen.emit(3)
     assert part.plot.cursor_number == 3
-    assert "runs of this session" in part.reading.text()
+    assert "not in its file" in part.reading.text()

@@ -20,6 +20,16 @@ from bobdesk.ui.strips.strip_stack import StripStack
 from tests.ui.answers import Answers
 
 
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    """Grids of 30 cells: what is drawn at random takes a second."""
+    from bobdesk.project import derive_open
+    from bobdesk.solve import next_elevation
+
+    monkeypatch.setattr(derive_open, "_MOST_CELLS", 30)
+    monkeypatch.setattr(next_elevation, "_MOST_CELLS", 30)
+
+
 @pytest.fixture
 def stack(desk, opened, qtbot, idle):
     made = StripStack(desk)
