@@ -119,6 +119,7 @@ class PlanView(Canvas):
         """Show what a step is about, and take the tool that it begins with; a drag ends."""
         self.tools.current.let_go()
         self.layers.show_in_step(step)
+        self.tools.at_rest = "boundaries" if step == "Segments" else "select"
         if step == "Segments" and self.tool_name == "select":
             self.set_tool("boundaries")
         elif step != "Segments" and self.tool_name == "boundaries":
@@ -133,8 +134,8 @@ class PlanView(Canvas):
         """Drop what is under way, or else put the tool down; return whether there was something."""
         if self.tools.current.cancel():
             return True
-        if self.tool_name != "select":
-            self.set_tool("select")
+        if self.tool_name not in ("select", self.tools.at_rest):
+            self.set_tool(self.tools.at_rest)
             return True
         return False
 
