@@ -50,8 +50,7 @@ def inner(control: QWidget) -> bool:
         above = above.parentWidget()
     return (
         # What a label says can be copied; its text is its name.
-        isinstance(control, QLabel)
-        or isinstance(control, (QHeaderView, QMenu, QMenuBar))
+        isinstance(control, (QLabel, QHeaderView, QMenu, QMenuBar))
         or (isinstance(parent, QAbstractScrollArea) and control is parent.viewport())
         or (isinstance(parent, QAbstractItemView) and isinstance(control, (QHeaderView, QLineEdit)))
     )
