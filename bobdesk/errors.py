@@ -12,3 +12,7 @@ class InputError(Exception):
 
 class TargetError(Exception):
     """The targets contradict each other or the plan; the message is one sentence with numbers."""
+
+
+class SolverFaultError(InputError):
+    """A solver of a plug-in has failed; what it had found until then may be kept."""

@@ -81,9 +81,10 @@ def mugello() -> Project:
     project = traced(project, SAMPLES / "mugello" / "plan.png", [where["start_px"], where["end_px"]])
     project = edits.set_length(project, 703.70)
     project = edits.set_drop(project, 35.73)
-    for station, elevation in ((175.5, 28.70), (351.0, 22.99), (526.5, 8.98)):
-        project = edits.add_known_elevation(project, KnownElevation(station, elevation))
     table = np.genfromtxt(SAMPLES / "mugello" / "mugello.csv", delimiter=",", names=True)
+    for station in (175.5, 351.0, 526.5):
+        elevation = np.interp(station, table["s2d_m"], table["z_m"]) - table["z_m"].min()
+        project = edits.add_known_elevation(project, KnownElevation(station, round(float(elevation), 2)))
     actual = ActualTrack("mugello.csv", np.column_stack([table["x_m"], table["y_m"], table["z_m"]]))
     return solved(edits.compare_with(project, actual))
 

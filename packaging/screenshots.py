@@ -2,7 +2,8 @@
 
 usage: python packaging/screenshots.py [FOLDER]
 
-The pictures go to out/screenshots, or FOLDER; each theme and size is a program of its own.
+The pictures go to out/screenshots, or FOLDER; each theme and size is a program of its own. Studies are solved in
+processes, which begin by reading this file again.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from pathlib import Path
 
 SAMPLES = Path(__file__).parent.parent / "resources" / "samples"
 STEPS = ("Plan", "Scale", "Centreline", "Segments", "Solve", "Export")
-LONGEST_JOB_S = 20.0
+LONGEST_JOB_S = 90.0
 
 
 def main() -> None:
@@ -86,6 +87,9 @@ def one(theme: str, folder: Path) -> None:
         take(f"step-{number}-{step.lower()}", window)
         if step == "Segments":
             as_seen_without_green(folder / f"step-{number}-{step.lower()}.png")
+    for name in open_data(window):
+        work(quiet, 0.8)
+        take(name, window)
     window.go_to("Plan")
     window.desk.notices.note("The project was recovered; save it to keep it.")
     window.desk.notices.warn("The line turns back on itself at 412, 618; look there.")
@@ -97,6 +101,10 @@ def one(theme: str, folder: Path) -> None:
         take(f"dialog-{name}", dialog)
         dialog.close()
         dialog.deleteLater()
+    beside(window, take, work)
+    for page in ("index.md", "first-track.md", "files.md"):
+        window.guide.open(page)
+        take(f"guide-{page.removesuffix('.md')}", window.guide.window)
     window.leave()
     QApplication.processEvents()
 
@@ -112,6 +120,74 @@ def as_seen_without_green(picture: Path) -> None:
     seen = np.clip(linear @ mixed.T, 0, 1)
     seen = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1 / 2.4) - 0.055)
     Image.fromarray(np.rint(255 * seen).astype(np.uint8)).save(picture.with_stem(f"{picture.stem}-deuteranopia"))
+
+
+def open_data(window: object) -> Iterator[str]:
+    """Show what the data leave open, one thing after the other, and the design rules."""
+    from bobdesk.ui.panels.export_panel import ExportPanel
+    from bobdesk.ui.panels.solve_panel import SolvePanel
+    from bobdesk.ui.solve.open_data import open_data_of
+
+    found = open_data_of(window.desk)
+    window.go_to("Solve")
+    panel = window.findChild(SolvePanel)
+    panel.advice.ask_button.click()
+    yield "open-advice"
+    panel.advice.ask_button.click()
+    found.show("profiles", True)
+    yield "open-profiles"
+    found.show("profiles", False)
+    found.show("error_band", True)
+    panel.budget.fold.set_open(True)
+    panel.verticalScrollBar().setValue(panel.verticalScrollBar().maximum())
+    yield "open-budget"
+    panel.verticalScrollBar().setValue(panel.verticalScrollBar().maximum())
+    yield "open-budget-below"
+    found.show("error_band", False)
+    panel.budget.fold.set_open(False)
+    window.go_to("Export")
+    panel = window.findChild(ExportPanel)
+    rules = panel.rules
+    rules.table.selectRow(next(row for row in range(20) if getattr(rules.finding(row), "stretches", ())))
+    rules.table.clicked.emit(rules.table.currentIndex())
+    rules.sled_fold.set_open(True)
+    panel.ensureWidgetVisible(rules.sled_fold)
+    yield "design-rules"
+    rules.sled_fold.set_open(False)
+    window.desk.selection.stretch = None
+
+
+def beside(window: object, take: Callable, work: Callable) -> None:
+    """Walk through the windows beside the main one: empty, and with what they are for."""
+    from PySide6.QtCore import QSize
+
+    methods = window.beside.open("methods")
+    methods.resize(QSize(1000, 720))
+    take("window-methods-empty", methods)
+    methods.compare()
+    work(lambda: not methods.is_running)
+    methods.table.choose(0)
+    take("window-methods", methods)
+    study = window.beside.open("study")
+    study.resize(QSize(1180, 760))
+    take("window-study-empty", study)
+    study.form.plans.add_files([SAMPLES / "mugello" / "mugello.csv"])
+    work(lambda: not study.form.plans.is_reading)
+    study.form.counts.setText("8-16:2, 400")
+    study.form.weights.setText("0.5; 1; 1.5")
+    study.solve()
+    work(lambda: len(study.results.rows) > 8)
+    take("window-study-at-work", study)
+    work(lambda: not study.is_running)
+    for page, name in enumerate(("table", "heat-map", "curves")):
+        study.results.pages.setCurrentIndex(page)
+        take(f"window-study-{name}", study)
+    published = window.beside.open("published")
+    published.resize(QSize(1180, 720))
+    take("window-published-empty", published)
+    published.solve()
+    work(lambda: not published.is_running)
+    take("window-published", published)
 
 
 def dialogs(window: object, home: Path) -> Iterator[tuple[str, object]]:

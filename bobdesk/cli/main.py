@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import importlib
+import io
+import sys
 from collections.abc import Sequence
 
 import click
@@ -23,8 +25,10 @@ COMMANDS = {
     "reconstruct": "Make the 3D centreline from plan, length and drop.",
     "study": "Solve plans in many ways: segment counts, weights, methods, known elevations.",
     "published": "The paper's tables beside what our methods make of the same targets.",
+    "rules": "Judge a 3D line by design rules, each with its source.",
     "compare": "Compare a 3D line with the actual track.",
     "export": "Write the result of a project, or any 3D line, in another format.",
+    "selftest": "Try out what is installed: open the window unseen, and reconstruct a sample.",
 }
 
 
@@ -69,14 +73,14 @@ def bobdesk() -> None:
 
 def run(arguments: Sequence[str]) -> int:
     """Run a command and return the exit status; every failure says one sentence on stderr."""
+    _say_what_can_be_said()
     try:
         if wants_window(arguments, COMMANDS):
             return open_window(arguments[0] if arguments else None)
-        bobdesk.main(list(arguments), prog_name="bobdesk", standalone_mode=False)
+        # What a command ends with by `click.exceptions.Exit` comes back as a value.
+        status = bobdesk.main(list(arguments), prog_name="bobdesk", standalone_mode=False)
     except click.ClickException as error:
         return _failed(error.format_message(), WRONG_CALL)
-    except click.exceptions.Exit as stop:
-        return stop.exit_code
     except (click.Abort, KeyboardInterrupt) as stop:
         # A command that keeps what it has so far says so itself.
         return _failed(str(stop) or "stopped; nothing was written", 130)
@@ -88,7 +92,13 @@ def run(arguments: Sequence[str]) -> int:
         return _failed("there is not enough memory for this input", UNUSABLE_INPUT)
     except BrokenPipeError:
         return DONE
-    return DONE
+    return status if isinstance(status, int) else DONE
+
+
+def _say_what_can_be_said() -> None:
+    """Let signs that a pipe's encoding has not (cp1252 has no "−") become question marks, not faults."""
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="replace")
 
 
 def _failed(sentence: str, status: int) -> int:

@@ -3,25 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
-from bobdesk.alignment.centreline import fit_centreline
-from bobdesk.alignment.segmentation import detect_segments
-from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.cli.options import FILE
 from bobdesk.cli.steps import check_outputs, read_plan, with_progress
 from bobdesk.files.atomic import write_atomic
-from bobdesk.files.published_tables import deviations_of, ours_of, published_table, read_published
+from bobdesk.files.published_tables import deviations_of, ours_of, plan_source, published_table, read_published
 from bobdesk.track.published_study import METHODS, ComparedRow, PlanSource, PublishedRow, remake
 from bobdesk.ui.resources import resource
-
-if TYPE_CHECKING:
-    from bobdesk.alignment.centreline import Centreline
-    from bobdesk.alignment.segments import Segments
 
 _SOURCE = (
     "The paper: Chen et al., arXiv 2507.08393 v2. Its coordinates are not public: {made} plans with the published\n"
@@ -50,7 +41,7 @@ def command(output: Path | None, plans: tuple[str, ...]) -> None:
     rows = read_published(resource("published", "tables.json"))
     files = _named(plans, rows)
     check_outputs([output], inputs=list(files.values()))
-    sources: dict[str, PlanSource] = {name: partial(_segmented, _plan(path)) for name, path in files.items()}
+    sources: dict[str, PlanSource] = {name: plan_source(read_plan(path)) for name, path in files.items()}
     found = with_progress(remake(rows, sources), "published tables")
     if output is not None:
         write_atomic(output, published_table(found))
@@ -70,14 +61,6 @@ def _named(plans: Sequence[str], rows: Sequence[PublishedRow]) -> dict[str, Path
             raise click.UsageError(f"--plan takes NAME=FILE with a name of {', '.join(tracks)}, not '{text}'")
         found[track] = Path(file)
     return found
-
-
-def _plan(path: Path) -> Centreline:
-    return fit_centreline(read_plan(path).polyline)
-
-
-def _segmented(plan: Centreline, count: int) -> tuple[Centreline, Segments]:
-    return plan, detect_segments(plan, SegmentationSettings(count=count))
 
 
 def _said(found: Sequence[ComparedRow], files: dict[str, Path]) -> str:

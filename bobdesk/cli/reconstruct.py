@@ -23,12 +23,14 @@ from bobdesk.cli.options import (
 )
 from bobdesk.cli.reports import advice_report, own_station, run_report
 from bobdesk.cli.solver import solver_options, taken_solver_options
-from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, to_json, with_progress
+from bobdesk.cli.steps import check_outputs, plan_and_segments, to_json, with_progress
 from bobdesk.cli.targets import taken_target_options
 from bobdesk.errors import TargetError
 from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
+from bobdesk.project.target_edits import STEEPEST_CHANGE
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
@@ -39,6 +41,12 @@ from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
+
+
+def _change(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
+    if value is not None and not 0 < value <= STEEPEST_CHANGE:
+        raise click.BadParameter(f"it must be more than 0 and at most {STEEPEST_CHANGE:g} per metre, not {value:g}.")
+    return value
 
 
 @click.command("reconstruct", cls=SeveralValues)
@@ -62,9 +70,11 @@ from bobdesk.track.figures import Figures, deviations, figures
 )
 @click.option(
     "--gradient-change",
-    type=click.FloatRange(min=0, min_open=True),
+    type=float,
+    callback=_change,
     metavar="PER_M",
-    help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m. Not limited without.",
+    help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m.",
+    show_default="a project's, else no limit",
 )
 @open_data_options
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
@@ -128,12 +138,13 @@ def command(
 
     files, sentences = open_data_files(given, settings, about_errors)
     shown: Envelope | None = None
+    change = given.gradient_change if gradient_change is None else gradient_change
     if band is not None or picture is not None:
-        shown = _band(given, solution, gradient_change)
+        shown = _band(given, solution, change)
     advice: NextElevation | None = None
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
-        advice = _advice(given, solution, line)
+        advice = _advice(given, solution, line, change)
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
@@ -167,16 +178,18 @@ def _band(given: PlanInput, solution: Solution, change: float | None) -> Envelop
     return between_stations(band, solution.scale * solution.profile.stations, largest_change=change)
 
 
-def _advice(given: PlanInput, solution: Solution, line: Centreline3D) -> NextElevation:
+def _advice(given: PlanInput, solution: Solution, line: Centreline3D, change: float | None) -> NextElevation:
     anchors = anchors_of(given.targets, given.centreline.length)
     estimate = (line.stations, line.elevations)
-    return next_elevation(anchors, given.targets, estimate=estimate, scale=solution.scale)
+    job = next_elevation(anchors, given.targets, estimate=estimate, largest_change=change, scale=solution.scale)
+    return with_progress(job, "where one more elevation helps")
 
 
 def _advised(given: PlanInput, solution: Solution, advice: NextElevation) -> str:
     station = own_station(given, solution, advice)
     return (
-        f"one more known elevation would help most at {station:.0f} m of the plan: the band,"
+        f"one more known elevation would help most at {station:.0f} m of the plan: smooth profiles that the data allow"
+        f" spread by {advice.spread:.1f} m, with it by {advice.spread_after:.1f} m (root mean square), and the band,"
         f" {advice.band.mean_width:.1f} m wide on the mean, would be {advice.gain:.1f} m narrower"
     )
 

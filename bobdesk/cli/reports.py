@@ -6,7 +6,7 @@ from dataclasses import asdict
 from typing import Any
 
 from bobdesk.alignment.segment_figures import segment_figures
-from bobdesk.cli.steps import PlanInput
+from bobdesk.files.plan_input import PlanInput
 from bobdesk.solve.feasibility import Feasibility
 from bobdesk.solve.iterates import Solution
 from bobdesk.solve.next_elevation import NextElevation
@@ -86,6 +86,8 @@ def advice_report(given: PlanInput, solution: Solution, advice: NextElevation) -
     """Return where one more known elevation would help most."""
     return {
         "station": own_station(given, solution, advice),
+        "spread_m": advice.spread,
+        "spread_with_it_m": advice.spread_after,
         "envelope_mean_width_m": advice.band.mean_width,
         "envelope_mean_width_with_it_m": advice.band_after.mean_width,
     }

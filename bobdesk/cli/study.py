@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,43 +12,36 @@ import click
 
 from bobdesk import __version__
 from bobdesk.cli.options import FILE, SeveralValues, plan_options, target_options
-from bobdesk.cli.steps import PlanInput, check_outputs, plan_and_segments, with_progress
-from bobdesk.cli.targets import known_elevation, taken_target_options
+from bobdesk.cli.steps import check_outputs, read_plan, tell_own_segments, with_progress
+from bobdesk.cli.targets import known_elevation, taken_target_options, targets_of
+from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_all
-from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
+from bobdesk.files.exporters.study_tables import study_table
+from bobdesk.files.processes import process_executor
 from bobdesk.files.solvers import solver_methods
 from bobdesk.files.study_journal import StudyJournal, digest_of
-from bobdesk.files.study_run import dask_executor, process_executor, run_study
-from bobdesk.solve.targets import KnownElevation, in_scale
-from bobdesk.track.study import FAILED, STUDY_COLUMNS, Cell, Task, cells, task_of
+from bobdesk.files.study_plans import StudyPlan, study_tasks
+from bobdesk.files.study_run import dask_executor, run_study
+from bobdesk.solve.targets import KnownElevation
+from bobdesk.track.study import FAILED, Task, Unready, cells
+from bobdesk.track.study_choices import NO_SET, check_size, counts_of, weights_of
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
 
-_MOST_CELLS = 100_000
-_NONE = "none"
-
 
 def _counts(_context: click.Context, _option: click.Parameter, text: str) -> tuple[int | None, ...]:
-    found: list[int | None] = []
-    for part in text.split(","):
-        if part.strip() == "auto":
-            found.append(None)
-        elif part.strip().isdecimal() and int(part) > 0:
-            found.append(int(part))
-        else:
-            raise click.BadParameter(f"numbers of segments such as 10,15,21 are needed, or auto, not '{text}'.")
-    return tuple(found)
+    try:
+        return counts_of(text)
+    except InputError as error:
+        raise click.BadParameter(f"{error}.") from error
 
 
 def _weights(_context: click.Context, _option: click.Parameter, text: str) -> tuple[float, ...]:
     try:
-        found = tuple(float(part) for part in text.split(","))
-    except ValueError:
-        found = (-1.0,)
-    if not all(0 <= weight < float("inf") for weight in found):
-        raise click.BadParameter(f"weights such as 0.5,1,1.5 are needed, not '{text}'.")
-    return found
+        return weights_of(text.split(","))
+    except InputError as error:
+        raise click.BadParameter(f"{error}.") from error
 
 
 @click.command("study", cls=SeveralValues)
@@ -62,7 +54,7 @@ def _weights(_context: click.Context, _option: click.Parameter, text: str) -> tu
     default="auto",
     callback=_counts,
     show_default=True,
-    help="Numbers of segments: 10,15,21; auto is found.",
+    help="Numbers of segments: 10,15,21 or 10-20 or 10-30:5; auto is found.",
 )
 @click.option(
     "--height-weights",
@@ -82,7 +74,12 @@ def _weights(_context: click.Context, _option: click.Parameter, text: str) -> tu
 @click.option("--workers", type=click.IntRange(1, 256), show_default="as many as there are cores", help="Processes.")
 @click.option("--dask", metavar="ADDRESS", help="Solve on the Dask cluster whose scheduler listens at ADDRESS.")
 @click.option("--restart", is_flag=True, help="Solve all rows again, whatever an interrupted study left.")
-@click.option("--picture", type=FILE, metavar="P.png", help="Draw the deviations as a table of colours (.png or .svg).")
+@click.option(
+    "--picture",
+    type=FILE,
+    metavar="P.png",
+    help="Draw the deviations as tables of colours and as curves (.png or .svg).",
+)
 def command(
     plans: tuple[Path, ...],
     output: Path,
@@ -110,7 +107,7 @@ def command(
         if name not in [method.key for method in available]:
             keys = ", ".join(method.key for method in available)
             raise click.UsageError(f"--methods must be of {keys}, not '{name}'")
-    sets = {text: _known_set(text) for text in known_sets or (_NONE,)}
+    sets = {text: _known_set(text) for text in known_sets or (NO_SET,)}
     asked = [taken_target_options(plan, **options) for plan in plans]
     check_outputs([output, picture], inputs=plans)
     if picture is not None and picture.suffix.lower() not in (".png", ".svg"):
@@ -118,26 +115,22 @@ def command(
     if len({plan.stem for plan in plans}) < len(plans):
         raise click.UsageError("two plans have the same name; the rows could not be told apart")
     wanted = cells([plan.stem for plan in plans], counts, height_weights, names, list(sets), available=available)
-    if len(wanted) > _MOST_CELLS:
-        raise click.UsageError(f"these are {len(wanted):,} rows; {_MOST_CELLS:,} are allowed")
-    tasks: list[Task] = []
+    try:
+        check_size(len(wanted))
+    except InputError as error:
+        raise click.UsageError(str(error)) from error
+    read = []
     for plan, targets in zip(plans, asked, strict=True):
-        by_count: dict[int | None, PlanInput] = {}
-        for cell in wanted:
-            if cell.plan != plan.stem:
-                continue
-            if cell.count not in by_count:
-                by_count[cell.count] = plan_and_segments(
-                    plan, targets, spacing=spacing, wavelength=wavelength, count=cell.count, threshold=None,
-                    segments_from=None, quiet=bool(by_count),
-                )  # fmt: skip
-            tasks.append(_task(cell, by_count[cell.count], sets))
+        line = read_plan(plan)
+        if None in counts:
+            tell_own_segments(plan, line, None, None)
+        read.append(StudyPlan(plan.stem, line, targets_of(targets, line.project, plan=plan)))
+    tasks = with_progress(study_tasks(read, wanted, sets, spacing=spacing, wavelength=wavelength), "plans")
     journal = StudyJournal(output, digest_of(tasks, __version__))
     if restart:
         journal.remove()
     rows = _solved(tasks, journal, workers=workers, dask=dask)
-    flavour = FLAVOURS["default"]
-    files = {output: to_csv(STUDY_COLUMNS, [[text_cell(cell, flavour) for cell in row] for row in rows], flavour)}
+    files = {output: study_table(rows)}
     if picture is not None:
         from bobdesk.ui.plots.study_picture import draw_study
 
@@ -150,27 +143,11 @@ def command(
 
 
 def _known_set(text: str) -> tuple[KnownElevation, ...]:
-    if text.strip() == _NONE:
-        return ()
-    return tuple(known_elevation(part, "--known-set") for part in text.split())
-
-
-def _task(cell: Cell, given: PlanInput, sets: dict[str, tuple[KnownElevation, ...]]) -> Task:
-    known = in_scale(replace(given.targets, known=sets.get(cell.known, ())), given.factor).known
-    return task_of(
-        cell,
-        given.centreline,
-        given.segments,
-        given.targets,
-        given.solver,
-        known=known,
-        factor=given.factor,
-        actual=given.actual,
-    )
+    return () if text.strip() == NO_SET else tuple(known_elevation(part, "--known-set") for part in text.split())
 
 
 def _solved(
-    tasks: Sequence[Task], journal: StudyJournal, *, workers: int | None, dask: str | None
+    tasks: Sequence[Task | Unready], journal: StudyJournal, *, workers: int | None, dask: str | None
 ) -> tuple[tuple[str, ...], ...]:
     open_tasks = len(tasks) - len(journal.finished())
     if 0 < open_tasks < len(tasks):
@@ -179,8 +156,6 @@ def _solved(
     if dask is not None:
         executor = dask_executor(dask)
     else:
-        # The matrices are small: threads inside a process would only take each other's cores.
-        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
         executor = process_executor(min(workers or os.cpu_count() or 1, max(open_tasks, 1)))
     try:
         with executor as pool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,8 +19,7 @@ from bobdesk.solve.targets import (
     Targets,
     check_targets,
 )
-
-_NUMBER = re.compile(r"[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
+from bobdesk.track import study_choices
 
 
 @dataclass(frozen=True)
@@ -132,10 +130,9 @@ def _targets(
 
 def known_elevation(text: str, option: str = "--known") -> KnownElevation:
     """Return STATION:ELEVATION or STATION:ELEVATION:TOLERANCE; anything else is a wrong call."""
-    parts = text.split(":")
-    numbers = [float(part) for part in parts if _NUMBER.fullmatch(part.strip())]
-    if len(numbers) not in (2, 3) or len(numbers) < len(parts):
+    try:
+        return study_choices.known_elevation(text)
+    except InputError as error:
         raise click.UsageError(
             f"{option} takes STATION:ELEVATION, two numbers in metres such as 250:98.5, not '{text}'"
-        )
-    return KnownElevation(*numbers)
+        ) from error

@@ -6,12 +6,15 @@ import errno
 import os
 import re
 import stat
-import tempfile
+import time
 from collections.abc import Mapping
 from pathlib import Path
 
 from bobdesk.errors import InputError
+from bobdesk.files.new_file import new_file
 
+# Virus scanners, indexers and synchronised folders open a file just after it was written, for a moment.
+_PAUSES_S = (0.02, 0.05, 0.1, 0.2, 0.4) if os.name == "nt" else ()
 STAGED = (".bobdesk-", ".part")  # how the name of a file begins and ends that is not yet in its place
 
 
@@ -47,12 +50,24 @@ def write_all(files: Mapping[Path, bytes]) -> None:
                 raise InputError(f"{_shown(path)}: cannot be written: {reason(error)}") from error
         for temporary, place in staged:
             try:
-                temporary.replace(place)
+                _moved(temporary, place)
             except OSError as error:
                 raise InputError(f"{place}: cannot be written: {reason(error)}") from error
     finally:
         for temporary, _ in staged:
             temporary.unlink(missing_ok=True)
+
+
+def _moved(temporary: Path, place: Path) -> None:
+    """Put a file in its place; on Windows wait a moment for programs that have the old one open."""
+    for pause in _PAUSES_S:
+        try:
+            temporary.replace(place)
+        except PermissionError:
+            time.sleep(pause)
+        else:
+            return
+    temporary.replace(place)
 
 
 def check_writable(path: Path) -> None:
@@ -119,8 +134,7 @@ def _shown(path: Path) -> str:
 
 def _staged(path: Path, content: bytes) -> Path:
     """Write the content beside its place, and return where."""
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=STAGED[0], suffix=STAGED[1])
-    temporary = Path(name)
+    handle, temporary = new_file(path.parent, prefix=STAGED[0], suffix=STAGED[1])
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)

@@ -15,13 +15,14 @@ from typing import IO, Any
 import numpy as np
 
 from bobdesk.errors import InputError
+from bobdesk.files.process_start import START_S
 from bobdesk.plan.image import LIMIT_MEGAPIXELS, PlanImage
 from bobdesk.plan.world import PixelToWorld
 from bobdesk.progress import Progress
 
 WORKER_ARGUMENT = "--picture-worker"
 
-_TIME_LIMIT_S = 9.0
+_TIME_LIMIT_S = 9.0 + START_S
 _SECONDS_PER_MEGAPIXEL = 0.1  # more for decoding a large scan; 100 megapixels of LZW take about 1.5 s
 _STEP_S = 0.03
 

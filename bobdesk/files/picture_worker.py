@@ -13,13 +13,13 @@ from __future__ import annotations
 
 import contextlib
 import json
-import os
 import sys
 from typing import IO, Any
 
 import numpy as np
 
 from bobdesk.errors import InputError
+from bobdesk.files.worker_streams import worker_streams
 from bobdesk.plan.image import PictureHeader, decode_picture
 from bobdesk.plan.world import PixelToWorld
 
@@ -30,10 +30,7 @@ _LONGEST_SECONDS = 600  # of CPU, should nobody be left to end this process
 
 def main() -> int:
     """Answer one request; return 0 whether the picture was good or not."""
-    # Libraries print warnings: the answer keeps a way of its own, and they get standard error.
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)
-    request_stream = os.fdopen(os.dup(0), "rb")
+    request_stream, answer = worker_streams()
     request = json.loads(request_stream.readline())
     _limit("RLIMIT_CORE", 0)
     _limit("RLIMIT_CPU", _LONGEST_SECONDS)

@@ -23,7 +23,7 @@ from bobdesk.files.project_encoding import PICTURE, Encoded
 DOCUMENT = "project.json"
 _DATE = (1980, 1, 1, 0, 0, 0)
 _PERMISSIONS = 0o644 << 16
-_MOST_ENTRIES = 2100
+_MOST_ENTRIES = 3100
 _MOST_INDEX_BYTES = 400_000
 _LARGEST_FILE = 2_200_000_000
 _LARGEST_PICTURE = 2_000_000_000

@@ -23,6 +23,8 @@ from bobdesk.plan.projection import is_place
 from bobdesk.plan.trace_vertices import checked_vertices
 from bobdesk.plan.traced_line import Trace
 from bobdesk.plan.world import PixelToWorld
+from bobdesk.project.kept_iterates import FIRST_GRADIENT, KeptIterates
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import (
     ActualTrack,
     CalibrationChoice,
@@ -34,23 +36,26 @@ from bobdesk.project.project import (
     SourceLine,
     TargetSet,
 )
+from bobdesk.project.record import MOST_KEPT
 from bobdesk.project.runs import (
     HISTORY_COLUMNS,
     MOST_HISTORY_ROWS,
     InputsDigest,
-    Layout,
     Run,
     RunInputs,
 )
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation, Targets
+from bobdesk.track.design_rules import Rule, check_rule
 from bobdesk.track.figures import Figures
+from bobdesk.track.sled import Sled, check_sled
 
 Blobs = Callable[[str], bytes]
 Value = TypeVar("Value")
 MOST_DOCUMENT_BYTES = 120_000_000
 _MOST_VALUES = 8_000_000
 _MOST_RUNS = 1000
+_PIECES = "the pieces of a run do not fit together"
 
 
 class _Head(msgspec.Struct):
@@ -161,6 +166,9 @@ def _project(found: schema.Document, tables: _Tables) -> Project:
         actual=None if actual is None else ActualTrack(actual.name, np.array(actual.points).reshape(-1, 3)),
         design=None if found.design is None else _design(found.design),
         export=ExportChoice() if found.export is None else _built(ExportChoice, found.export),
+        plan_error=found.plan_error,
+        rules=None if found.rules is None else tuple(check_rule(_built(Rule, rule)) for rule in found.rules),
+        sled=Sled() if found.sled is None else check_sled(_built(Sled, found.sled)),
     )
 
 
@@ -217,14 +225,10 @@ def _run(found: schema.RunEntry, tables: _Tables) -> Run:
     if len(history) > MOST_HISTORY_ROWS:
         raise ValueError("a run's history is longer than it may be")
     inputs = found.inputs
-    layout = Layout(
-        np.array(found.layout.edges),
-        np.array(found.layout.segment_of),
-        np.array(found.layout.half_transitions),
-        np.array(found.layout.held),
-    )
     segments = _segments(inputs.segments)
-    _check_layout(layout, found, len(segments))
+    layout = _layout(found.layout, found.edge_gradients, len(segments))
+    if len(found.gradients) != len(layout.edges) - 1 or not found.scale > 0:
+        raise ValueError(_PIECES)
     known = tuple(_built(KnownElevation, item) for item in inputs.targets.known)
     return _built(
         Run,
@@ -244,21 +248,42 @@ def _run(found: schema.RunEntry, tables: _Tables) -> Run:
         figures=_built(Figures, found.figures),
         stages=tuple(found.stages),
         history=history,
+        iterates=None if found.iterates is None else _iterates(found.iterates, len(segments), tables.blobs),
     )
 
 
-def _check_layout(layout: Layout, found: schema.RunEntry, segments: int) -> None:
+def _layout(found: schema.LayoutEntry, edge_gradients: list[float], segments: int) -> Layout:
+    layout = Layout(
+        np.array(found.edges), np.array(found.segment_of), np.array(found.half_transitions), np.array(found.held)
+    )
     pieces = len(layout.edges) - 1
     inner = len(layout.half_transitions)
-    fits = pieces >= 1 and len(layout.segment_of) == len(found.gradients) == pieces
-    fits = fits and inner == len(layout.held) == pieces - 1 and len(found.edge_gradients) == max(inner, 1)
+    fits = pieces >= 1 and len(layout.segment_of) == pieces
+    fits = fits and inner == len(layout.held) == pieces - 1 and len(edge_gradients) == max(inner, 1)
     fits = (
         fits
         and bool((np.diff(layout.edges) > 0).all())
         and bool(((layout.segment_of >= 0) & (layout.segment_of < segments)).all())
     )
-    if not fits or not found.scale > 0:
-        raise ValueError("the pieces of a run do not fit together")
+    if not fits:
+        raise ValueError(_PIECES)
+    return layout
+
+
+def _iterates(found: schema.IteratesEntry, segments: int, blobs: Blobs) -> KeptIterates:
+    if not 1 <= len(found.layouts) <= MOST_KEPT or len(found.layouts) != len(found.edge_gradients):
+        raise ValueError(_PIECES)
+    layouts = tuple(
+        _layout(layout, gradients, segments)
+        for layout, gradients in zip(found.layouts, found.edge_gradients, strict=True)
+    )
+    pieces = max(len(layout.edges) - 1 for layout in layouts)
+    table = npy_table(blobs(found.table), columns=FIRST_GRADIENT + pieces)
+    fits = 1 <= len(table) <= MOST_KEPT and bool(np.isfinite(table).all())
+    fits = fits and bool((np.diff(table[:, 0]) > 0).all()) and bool((table[:, 2] > 0).all())
+    if not fits or not np.isin(table[:, 1], np.arange(len(layouts))).all():
+        raise ValueError("the iterates of a run do not fit together")
+    return KeptIterates(layouts, tuple(np.array(gradients) for gradients in found.edge_gradients), table)
 
 
 def _built(kind: Callable[..., Value], found: msgspec.Struct, **given: Any) -> Value:

@@ -20,6 +20,8 @@ from bobdesk.files import project_schema as schema
 from bobdesk.files.npy import npy_bytes
 from bobdesk.plan.polyline import Polyline
 from bobdesk.plan.traced_line import Trace
+from bobdesk.project.kept_iterates import KeptIterates
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import ActualTrack, Picture, Project, SourceLine
 from bobdesk.project.runs import Run, RunInputs
 from bobdesk.solve.settings import SolverSettings
@@ -48,6 +50,8 @@ def encode_project(project: Project) -> Encoded:
     tables: dict[str, bytes] = {}
     for run in project.runs:
         tables.update((_table_of(run.inputs.polyline), _history_of(run)))
+        if run.iterates is not None:
+            tables.update((_iterates_of(run.iterates),))
     blobs = {} if project.picture is None else {PICTURE: project.picture.data}
     blobs.update((name, tables[name]) for name in sorted(tables))
     return Encoded(msgspec.json.encode(_document(project)), blobs)
@@ -78,6 +82,8 @@ def _document(project: Project) -> schema.Document:
         runs=[_run(run) for run in project.runs],
         actual=None if actual is None else _actual(actual),
         export=_entry(schema.ExportEntry, project.export),
+        rules=None if project.rules is None else _entries(schema.RuleEntry, project.rules),
+        sled=_entry(schema.SledEntry, project.sled),
         design=None if project.design is None else _design(project.design),
     )
 
@@ -125,25 +131,37 @@ def _solver(settings: SolverSettings) -> schema.SolverEntry:
 
 @lru_cache(maxsize=64)
 def _run(run: Run) -> schema.RunEntry:
-    layout = _entry(
-        schema.LayoutEntry,
-        run.layout,
-        edges=_rows(run.layout.edges),
-        segment_of=run.layout.segment_of.tolist(),
-        half_transitions=_rows(run.layout.half_transitions),
-        held=run.layout.held.tolist(),
-    )
     return _entry(
         schema.RunEntry,
         run,
         digest=_entry(schema.DigestEntry, run.digest),
         inputs=_inputs(run.inputs),
-        layout=layout,
+        layout=_layout(run.layout),
         gradients=_rows(run.gradients),
         edge_gradients=_rows(run.edge_gradients),
         figures=_entry(schema.FiguresEntry, run.figures),
         stages=list(run.stages),
         history=_history_of(run)[0],
+        iterates=None if run.iterates is None else _iterates(run.iterates),
+    )
+
+
+def _layout(layout: Layout) -> schema.LayoutEntry:
+    return _entry(
+        schema.LayoutEntry,
+        layout,
+        edges=_rows(layout.edges),
+        segment_of=layout.segment_of.tolist(),
+        half_transitions=_rows(layout.half_transitions),
+        held=layout.held.tolist(),
+    )
+
+
+def _iterates(kept: KeptIterates) -> schema.IteratesEntry:
+    return schema.IteratesEntry(
+        layouts=[_layout(layout) for layout in kept.layouts],
+        edge_gradients=[_rows(gradients) for gradients in kept.edge_gradients],
+        table=_iterates_of(kept)[0],
     )
 
 
@@ -168,6 +186,12 @@ def _table_of(polyline: Polyline) -> tuple[str, bytes]:
 @lru_cache(maxsize=64)
 def _history_of(run: Run) -> tuple[str, bytes]:
     return _named(npy_bytes(run.history))
+
+
+@lru_cache(maxsize=64)
+def _iterates_of(kept: KeptIterates) -> tuple[str, bytes]:
+    _rows(kept.table)
+    return _named(npy_bytes(kept.table))
 
 
 def _named(data: bytes) -> tuple[str, bytes]:

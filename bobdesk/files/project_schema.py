@@ -139,6 +139,7 @@ class LimitsEntry(_Strict):
 
     min_gradient: float
     max_gradient: float
+    gradient_change: float | None = None
 
 
 class KnownEntry(_Strict):
@@ -240,6 +241,14 @@ class FiguresEntry(_Strict):
     mean_curvature_difference: float
 
 
+class IteratesEntry(_Strict):
+    """A KeptIterates; the table is the name of one."""
+
+    layouts: list[LayoutEntry]
+    edge_gradients: list[list[float]]
+    table: str
+
+
 class RunEntry(_Strict):
     """A Run; the history is the name of a table."""
 
@@ -263,6 +272,7 @@ class RunEntry(_Strict):
     seconds: float
     stages: list[str]
     history: str
+    iterates: IteratesEntry | None = None
 
 
 class ActualEntry(_Strict):
@@ -278,6 +288,29 @@ class ExportEntry(_Strict):
     format: str
     flavour: str
     spacing: float | None
+
+
+class RuleEntry(_Strict):
+    """A design Rule."""
+
+    name: str
+    quantity: Literal["length", "mean gradient", "gradient", "speed", "acceleration", "curves"]
+    lowest: float | None
+    highest: float | None
+    start: float
+    end: float | None
+    source: str
+    is_used: bool
+
+
+class SledEntry(_Strict):
+    """A Sled."""
+
+    mass: float
+    drag_area: float
+    friction: float
+    start_speed: float
+    air_density: float
 
 
 class DesignCurveEntry(_Strict):
@@ -325,4 +358,7 @@ class Document(_Strict):
     chosen_run: int | None
     actual: ActualEntry | None
     export: ExportEntry | None = None
+    plan_error: float | None = None
+    rules: list[RuleEntry] | None = None
+    sled: SledEntry | None = None
     design: DesignEntry | None = None

@@ -4,12 +4,21 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from bobdesk.alignment.centreline import fit_centreline
+from bobdesk.alignment.segmentation import detect_segments
+from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.errors import InputError
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
-from bobdesk.track.published_study import METHODS, ComparedRow, PublishedFigures, PublishedRow, Remade
+from bobdesk.files.importers.imported_line import ImportedLine
+from bobdesk.track.published_study import METHODS, ComparedRow, PlanSource, PublishedFigures, PublishedRow, Remade
+
+if TYPE_CHECKING:
+    from bobdesk.alignment.centreline import Centreline
+    from bobdesk.alignment.segments import Segments
 
 # Table 1 and the tables of the height weight do not name the number of segments: their figures are those of
 # these rows of the tables by number of segments, or stand nearest to them.
@@ -66,6 +75,15 @@ def _figures(row: dict[str, Any]) -> PublishedFigures:
         row["max_gradient"],
         row["mean_gradient"],
     )
+
+
+def plan_source(line: ImportedLine) -> PlanSource:
+    """Return a real plan as the tables are made again from it: divided into as many segments as a row asks for."""
+    return partial(_segmented, fit_centreline(line.polyline))
+
+
+def _segmented(plan: Centreline, count: int) -> tuple[Centreline, Segments]:
+    return plan, detect_segments(plan, SegmentationSettings(count=count))
 
 
 _FIGURES = (

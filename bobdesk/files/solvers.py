@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bobdesk.alignment.segments import Segments
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError, SolverFaultError, TargetError
 from bobdesk.files.plugins import Plugins, find_plugins
 from bobdesk.solve.iterates import Iterate, Run, Solution
 from bobdesk.solve.run import METHODS, SolverMethod, solve
@@ -40,7 +40,7 @@ def solve_with_plugins(centreline: Centreline, segments: Segments, targets: Targ
 def watched_methods() -> tuple[SolverMethod, ...]:
     """Return the methods of this program and of its plug-ins, the latter under watch."""
     return tuple(
-        method if method in METHODS else replace(method, solve=_Watched(method), solve_from=None)
+        method if method in METHODS else replace(method, solve=_Watched(method), solve_from=None, solve_asking=None)
         for method in solver_methods().formats
     )
 
@@ -80,5 +80,5 @@ class _Watched:
             raise self._failed("it returned figures that are no numbers")
         return replace(solution, method=self._method.key)
 
-    def _failed(self, why: str) -> InputError:
-        return InputError(f"the plug-in for the method {self._method.title} failed: {why}")
+    def _failed(self, why: str) -> SolverFaultError:
+        return SolverFaultError(f"the plug-in for the method {self._method.title} failed: {why}")

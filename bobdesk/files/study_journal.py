@@ -6,13 +6,13 @@ import hashlib
 import json
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import reason
 
 if TYPE_CHECKING:
-    from bobdesk.track.study import Task
+    from bobdesk.track.study import Task, Unready
 
 Row = tuple[str, ...]
 _ENDING = ".unfinished"
@@ -48,7 +48,7 @@ class StudyJournal:
         self._length = len(lines[0])
         for line in lines[1:]:
             entry = _parsed(line)
-            if not isinstance(entry, list) or len(entry) != 2 or not line.endswith(b"\n"):
+            if not (_is_entry(entry) and line.endswith(b"\n")):
                 break
             found[entry[0]] = tuple(entry[1])
             self._length += len(line)
@@ -82,10 +82,15 @@ class StudyJournal:
         self.path.unlink(missing_ok=True)
 
 
-def digest_of(tasks: Iterable[Task], version: str) -> str:
+def digest_of(tasks: Iterable[Task | Unready], version: str) -> str:
     """Return a fingerprint of all that the rows of these tasks depend on."""
+    from bobdesk.track.study import Unready
+
     found = hashlib.sha256(version.encode())
     for task in tasks:
+        if isinstance(task, Unready):
+            found.update(repr(task).encode())
+            continue
         rest = (task.cell, task.segments, task.targets, task.settings, task.factor)
         found.update(repr(rest).encode())
         found.update(task.centreline.points.tobytes())
@@ -94,9 +99,18 @@ def digest_of(tasks: Iterable[Task], version: str) -> str:
     return found.hexdigest()
 
 
-def _parsed(line: bytes) -> object:
+def _is_entry(entry: Any) -> bool:
+    return (
+        isinstance(entry, list)
+        and len(entry) == 2
+        and type(entry[0]) is int
+        and isinstance(entry[1], list)
+        and all(isinstance(cell, str) for cell in entry[1])
+    )
+
+
+def _parsed(line: bytes) -> Any:
     try:
-        parsed: object = json.loads(line)
+        return json.loads(line)
     except ValueError:
         return None
-    return parsed

@@ -81,11 +81,13 @@ def calibration(project: Project) -> Derived[Calibration]:
     )
 
 
-def scale_error(project: Project) -> float:
-    """Return 1 sigma of the scale as a share of it; 0 where nothing is known of it, as for coordinates."""
+def scale_error(project: Project) -> float | None:
+    """Return 1 sigma of the scale as a share of it: the user's, else the calibration's; None if neither says it."""
+    if project.plan_error is not None:
+        return project.plan_error
     found = None if project.source is not None else calibration(project).value
     if found is None or found.scale_sigma is None:
-        return 0.0
+        return None
     return found.scale_sigma / found.metres_per_pixel
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from bobdesk.plan.projection import Georeference
 from bobdesk.project import derive
 from bobdesk.project.digest import inputs_digest, of_segments
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import ActualTrack, Project
 from bobdesk.project.runs import Run
 from bobdesk.sentences import listed
@@ -77,15 +78,9 @@ def run_centreline(run: Run) -> Centreline:
 @lru_cache(maxsize=16)
 def run_solution(run: Run) -> Solution:
     """Return a run's end as the solver returned it."""
-    from bobdesk.solve.profile import Profile, profile_rows
-
-    layout = run.layout
-    breaks = layout.edges[1:-1][layout.held].tolist()
-    stations, points, bends = profile_rows(run_centreline(run), breaks)
-    profile = Profile(stations, points, layout.edges, layout.segment_of, layout.half_transitions, layout.held, bends)
     return Solution(
         method=run.inputs.settings.method,
-        profile=profile,
+        profile=_profile(run, run.layout),
         gradients=run.gradients,
         edge_gradients=run.edge_gradients,
         scale=run.scale,
@@ -98,6 +93,39 @@ def run_solution(run: Run) -> Solution:
         objective=float("nan") if run.objective is None else run.objective,
         optimality=float("nan") if run.optimality is None else run.optimality,
     )
+
+
+@lru_cache(maxsize=16)
+def _profile(run: Run, layout: Layout) -> Profile:
+    from bobdesk.solve.profile import Profile, profile_rows
+
+    breaks = layout.edges[1:-1][layout.held].tolist()
+    stations, points, bends = profile_rows(run_centreline(run), breaks)
+    return Profile(stations, points, layout.edges, layout.segment_of, layout.half_transitions, layout.held, bends)
+
+
+def iterate_line(run: Run, row: int) -> Centreline3D:
+    """Return the 3D line of an iterate that a run has kept, in true size.
+
+    Raises
+    ------
+    IndexError
+        If it has kept none, or not so many.
+    """
+    from bobdesk.track.centreline3d import make_centreline3d
+
+    kept = run.iterates
+    if kept is None or not 0 <= row < len(kept.table):
+        raise IndexError("there is no such iterate")
+    index = kept.layout_of(row)
+    solution = replace(
+        run_solution(run),
+        profile=_profile(run, kept.layouts[index]),
+        gradients=kept.gradients_of(row),
+        edge_gradients=kept.edge_gradients[index],
+        scale=kept.scale_of(row),
+    )
+    return make_centreline3d(run_centreline(run), run.inputs.segments, solution)
 
 
 @lru_cache(maxsize=16)

@@ -109,11 +109,14 @@ def _targets(project: Project) -> str:
     del chosen["name"]
     if chosen["mean_gradient"] is None:
         del chosen["mean_gradient_is"]
+    limits = asdict(project.limits)
+    # The band alone depends on it.
+    del limits["gradient_change"]
     known = sorted(
         (_number(item.station) or "", _number(item.elevation) or "", _number(item.tolerance) or "")
         for item in project.known_elevations
     )
-    return _digest(_numbers(chosen), _numbers(asdict(project.limits)), known)
+    return _digest(_numbers(chosen), _numbers(limits), known)
 
 
 def _solver(project: Project) -> str:

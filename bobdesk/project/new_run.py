@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError, SolverFaultError, TargetError
 from bobdesk.project import derive
 from bobdesk.project.derive_runs import warm_start
 from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
 from bobdesk.project.runs import Run, RunInputs, finished_run
+from bobdesk.solve.called_back import StoppedWithinError
 from bobdesk.solve.run import METHODS, SolverMethod, solve
 
 if TYPE_CHECKING:
     from bobdesk.solve.iterates import Iterate, Solution
 
 _STOPPED = 1
+_BY_HAND = "Stopped by hand"
 
 
 def _never() -> bool:
@@ -31,6 +34,7 @@ def new_run(
     clock: Callable[[], float],
     record: IterateRecord | None = None,
     enough: Callable[[], bool] = _never,
+    asked: Callable[[], bool] = _never,
     methods: tuple[SolverMethod, ...] = METHODS,
 ) -> Generator[Iterate, None, Run]:
     """Solve a project with its own settings.
@@ -47,6 +51,9 @@ def new_run(
         Is given every iterate as it comes.
     enough
         Asked after every iterate: whether to end with the best one so far.
+    asked
+        The same question, asked by methods that compute long between two iterates while they do, on any thread. It may
+        take its time.
     methods
         Those that there are.
 
@@ -64,7 +71,15 @@ def new_run(
     line = derive.centreline(project).needed()
     record = IterateRecord(inputs.targets.length) if record is None else record
     seconds = 0.0
-    job = solve(line, inputs.segments, inputs.targets, inputs.settings, methods=methods, warm=warm_start(project))
+    job = solve(
+        line,
+        inputs.segments,
+        inputs.targets,
+        inputs.settings,
+        methods=methods,
+        warm=warm_start(project),
+        asked=asked,
+    )
     while True:
         began = clock()
         try:
@@ -73,8 +88,18 @@ def new_run(
             solution = end.value
             seconds += clock() - began
             break
+        except SolverFaultError as error:
+            if record.best is None:
+                raise
+            seconds += clock() - began
+            solution = _ended_early(inputs, record, f"{str(error)[0].upper()}{str(error)[1:]},")
+            break
         except (InputError, TargetError):
             raise
+        except StoppedWithinError:
+            seconds += clock() - began
+            solution = _ended_early(inputs, record, _BY_HAND)
+            break
         except Exception as error:  # noqa: BLE001 - what was found until then is worth more than the fault
             seconds += clock() - began
             why = f"{type(error).__name__}: {' '.join(str(error).split())[:200]}".removesuffix(": ")
@@ -85,7 +110,7 @@ def new_run(
         yield iterate
         if enough():
             job.close()
-            solution = _ended_early(inputs, record, "Stopped by hand")
+            solution = _ended_early(inputs, record, _BY_HAND)
             break
     return finished_run(
         inputs,
@@ -105,7 +130,9 @@ def _ended_early(inputs: RunInputs, record: IterateRecord, why: str) -> Solution
     if best is None:
         raise InputError(f"{why[0].lower()}{why[1:]} before its first iterate")
     count = f"{record.count:,} iteration" + ("s" if record.count > 1 else "")
-    return solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
+    at_best = solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
+    # The best may lie behind the last: all that were made count.
+    return replace(at_best, nit=record.count)
 
 
 def solution_at(inputs: RunInputs, iterate: Iterate, *, status: int = _STOPPED, message: str = "") -> Solution:

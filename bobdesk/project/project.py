@@ -22,6 +22,8 @@ from bobdesk.solve.targets import (
     KnownElevation,
     MeanGradientDefinition,
 )
+from bobdesk.track.design_rules import Rule
+from bobdesk.track.sled import Sled
 
 CalibrationWay = Literal["points", "scale", "drawing scale", "world", "unknown"]
 DigitisedLine = Literal["centre", "left edge", "right edge"]
@@ -149,10 +151,20 @@ class TargetSet:
 
 @dataclass(frozen=True)
 class Limits:
-    """Limits of the gradient, downhill positive."""
+    """Limits of the gradient, downhill positive.
+
+    Attributes
+    ----------
+    min_gradient, max_gradient
+        Of every result.
+    gradient_change
+        The largest change of the gradient per metre, 1/m, that the band of possible profiles reckons with; None for
+        no limit. Results do not depend on it.
+    """
 
     min_gradient: float = LOWEST_GRADIENT
     max_gradient: float = HIGHEST_GRADIENT
+    gradient_change: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -220,6 +232,10 @@ class Project:
         The actual track for comparison.
     export
         How the result was exported last.
+    plan_error
+        1 sigma of the plan's scale as a share of it, as the user knows it; None for what the calibration says.
+    rules, sled
+        Design rules, None for those that come with BobDesk, and the sled that some are judged by.
     design
         The designer's list of curves that the segments are compared with.
     """
@@ -246,6 +262,9 @@ class Project:
     chosen_run: int | None = None
     actual: ActualTrack | None = None
     export: ExportChoice = ExportChoice()
+    plan_error: float | None = None
+    rules: tuple[Rule, ...] | None = None
+    sled: Sled = field(default_factory=Sled)
     design: DesignList | None = None
 
     @property

@@ -15,6 +15,12 @@ def keep_run(project: Project, run: Run) -> Project:
     return replace(project, runs=(*project.runs, run), chosen_run=len(project.runs))
 
 
+def take_over_run(project: Project, run: Run) -> Project:
+    """Keep a run that another method than the project's has made; that method is the project's from now on."""
+    solver = replace(project.solver, method=run.inputs.settings.method)
+    return keep_run(project if solver == project.solver else replace(project, solver=solver), run)
+
+
 def choose_run(project: Project, index: int | None) -> Project:
     """Show another run, or none."""
     if index is not None:

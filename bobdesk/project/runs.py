@@ -8,9 +8,11 @@ import numpy as np
 
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segments import Segments
-from bobdesk.arrays import BoolArray, FloatArray, IntArray, frozen
+from bobdesk.arrays import FloatArray, frozen
 from bobdesk.errors import InputError
 from bobdesk.plan.polyline import Polyline
+from bobdesk.project.kept_iterates import KeptIterates, kept_iterates
+from bobdesk.project.layout import Layout, layout_of
 from bobdesk.project.record import COLUMNS, IterateRecord
 from bobdesk.solve.iterates import Solution
 from bobdesk.solve.settings import SolverSettings
@@ -55,24 +57,6 @@ class RunInputs:
 
 
 @dataclass(frozen=True, eq=False)
-class Layout:
-    """Pieces and transitions of a solution's profile, see `bobdesk.solve.profile.Profile`; rows follow."""
-
-    edges: FloatArray
-    segment_of: IntArray
-    half_transitions: FloatArray
-    held: BoolArray
-
-    def __post_init__(self) -> None:
-        for name in ("edges", "half_transitions"):
-            object.__setattr__(self, name, frozen(getattr(self, name)))
-        for name, kind in (("segment_of", np.int64), ("held", np.bool_)):
-            array = np.array(getattr(self, name), dtype=kind)
-            array.flags.writeable = False
-            object.__setattr__(self, name, array)
-
-
-@dataclass(frozen=True, eq=False)
 class Run:
     """A finished run.
 
@@ -97,6 +81,8 @@ class Run:
         Names of the stages, which the history's second column counts.
     history : (k, 8)
         `HISTORY_COLUMNS` of the iterates, at most 2,000 of them.
+    iterates
+        Some of them whole; None for a run of an older file.
     """
 
     name: str
@@ -119,6 +105,7 @@ class Run:
     seconds: float
     stages: tuple[str, ...]
     history: FloatArray
+    iterates: KeptIterates | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "gradients", frozen(self.gradients))
@@ -154,7 +141,7 @@ def finished_run(
         digest=digest,
         target_set=target_set,
         inputs=inputs,
-        layout=Layout(profile.edges, profile.segment_of, profile.half_transitions, profile.held),
+        layout=layout_of(profile),
         gradients=solution.gradients,
         edge_gradients=solution.edge_gradients,
         scale=float(solution.scale),
@@ -170,6 +157,7 @@ def finished_run(
         seconds=seconds,
         stages=record.stages,
         history=thinned_history(record.rows()),
+        iterates=kept_iterates(record),
     )
 
 

@@ -7,9 +7,11 @@ from collections.abc import Iterable
 from dataclasses import asdict, replace
 
 from bobdesk.errors import InputError
-from bobdesk.project.project import Limits, Project, TargetSet
+from bobdesk.project.project import Project, TargetSet
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import STEEPEST_GRADIENT, KnownElevation, MeanGradientDefinition
+
+STEEPEST_CHANGE, LARGEST_PLAN_ERROR = 1.0, 0.5
 
 
 def set_length(project: Project, length: float | None) -> Project:
@@ -70,7 +72,27 @@ def set_limits(project: Project, min_gradient: float, max_gradient: float) -> Pr
     low, high = _gradient(min_gradient, "the smallest gradient"), _gradient(max_gradient, "the largest gradient")
     if low >= high:
         raise InputError(f"the smallest gradient, {low:g}, must be less than the largest, {high:g}")
-    return replace(project, limits=Limits(low, high))
+    return replace(project, limits=replace(project.limits, min_gradient=low, max_gradient=high))
+
+
+def set_gradient_change(project: Project, change: float | None) -> Project:
+    """Give the largest change of the gradient per metre, 1/m, for the band; None for no limit."""
+    if change is not None and not 0 < change <= STEEPEST_CHANGE:
+        raise InputError(
+            f"the largest change of the gradient must be more than 0 and at most {STEEPEST_CHANGE:g} per metre,"
+            f" not {change:g}"
+        )
+    return replace(project, limits=replace(project.limits, gradient_change=change))
+
+
+def set_plan_error(project: Project, share: float | None) -> Project:
+    """Say how sure the plan's scale is: 1 sigma as a share; None for what the calibration says."""
+    if share is not None and not 0 <= share <= LARGEST_PLAN_ERROR:
+        raise InputError(
+            f"the error of the plan's scale must lie between 0 and {100 * LARGEST_PLAN_ERROR:g} %,"
+            f" not {100 * share:g} %"
+        )
+    return replace(project, plan_error=share)
 
 
 def add_known_elevation(project: Project, known: KnownElevation) -> Project:

@@ -25,6 +25,20 @@ class Terms:
     gradient: float
 
 
+@dataclass(frozen=True, eq=False)
+class _Plan:
+    """What does not depend on the gradients: it stays the same while the scale does."""
+
+    scale: float
+    steps2: FloatArray
+    speed: FloatArray
+    bend: FloatArray
+    along: FloatArray
+    cross: FloatArray
+    smoothing: FloatArray
+    curvature: FloatArray
+
+
 class PublishedObjective:
     """J = a eL² + b eH² + c eK² + d eg² over the gradients of the pieces, and its derivative.
 
@@ -61,6 +75,7 @@ class PublishedObjective:
         self._bend = (second**2).sum(axis=1)
         self._along = (first * second).sum(axis=1)
         self._cross = (first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]) ** 2
+        self._plan = self._plan_at(1.0)
         self.nfev = self.njev = 0
 
     def terms(self, gradients: FloatArray, scale: float = 1.0) -> Terms:
@@ -72,6 +87,11 @@ class PublishedObjective:
         self.nfev += 1
         return self._evaluate(gradients, scale)[0]
 
+    def value_and_terms(self, gradients: FloatArray, scale: float = 1.0) -> tuple[float, Terms]:
+        """Return J and the four errors."""
+        self.nfev += 1
+        return self._evaluate(gradients, scale)[:2]
+
     def value_and_derivative(self, gradients: FloatArray, scale: float = 1.0) -> tuple[float, FloatArray]:
         """Return J and its derivative by each gradient, (p,)."""
         self.nfev += 1
@@ -81,23 +101,22 @@ class PublishedObjective:
     def _evaluate(
         self, gradients: FloatArray, scale: float, *, derivative: bool = False
     ) -> tuple[float, Terms, FloatArray]:
+        plan = self._plan if scale == self._plan.scale else self._plan_at(scale)
+        self._plan = plan
+        speed, bend, along = plan.speed, plan.bend, plan.along
         falls = scale * (self._falls @ gradients)
-        distances = np.sqrt((scale * self._steps) ** 2 + falls**2)
+        distances = np.sqrt(plan.steps2 + falls**2)
         # The sign of z does not matter to the curvature, so that falls may stand for rises.
-        first = np.gradient(np.concatenate([[0.0], np.cumsum(falls)]))
-        second = np.gradient(first)
-        speed, bend, along = scale**2 * self._speed, scale**2 * self._bend, scale**2 * self._along
-        cross = scale**4 * self._cross
-        smoothing = (_STRAIGHTEST * speed**1.5) ** 2
-        in_space = cross + first**2 * bend + second**2 * speed - 2 * first * second * along
-        root = np.sqrt(np.maximum(in_space, 0.0) + smoothing)
+        first = _differences(np.concatenate([[0.0], falls.cumsum()]))
+        second = _differences(first)
+        in_space = plan.cross + first**2 * bend + second**2 * speed - 2 * first * second * along
+        root = np.sqrt(np.maximum(in_space, 0.0) + plan.smoothing)
         speed3 = speed + first**2
         curvature3 = root / speed3**1.5
-        curvature2 = np.sqrt(cross + smoothing) / speed**1.5
         terms = Terms(
             length=self._targets.length - float(distances.sum()),
             height=self._targets.drop - float(np.abs(falls).sum()),
-            curvature=float((curvature2 - curvature3).mean()),
+            curvature=float((plan.curvature - curvature3).sum()) / len(first),
             gradient=float(self._shares @ gradients) - self._mean_gradient,
         )
         weights = self._weights
@@ -118,6 +137,29 @@ class PublishedObjective:
         by_fall += -2 * weights.height * terms.height * np.sign(falls)
         result: FloatArray = scale * (self._falls_transposed @ by_fall)
         return value, terms, result + 2 * weights.gradient * terms.gradient * self._shares
+
+    def _plan_at(self, scale: float) -> _Plan:
+        speed, cross = scale**2 * self._speed, scale**4 * self._cross
+        smoothing = (_STRAIGHTEST * speed**1.5) ** 2
+        return _Plan(
+            scale=scale,
+            steps2=(scale * self._steps) ** 2,
+            speed=speed,
+            bend=scale**2 * self._bend,
+            along=scale**2 * self._along,
+            cross=cross,
+            smoothing=smoothing,
+            curvature=np.sqrt(cross + smoothing) / speed**1.5,
+        )
+
+
+def _differences(values: FloatArray) -> FloatArray:
+    """Return numpy.gradient (unit steps) of values, (n,), in a tenth of its time."""
+    result = np.empty_like(values)
+    result[1:-1] = (values[2:] - values[:-2]) / 2
+    result[0] = values[1] - values[0]
+    result[-1] = values[-1] - values[-2]
+    return result
 
 
 def _gradient_adjoint(values: FloatArray) -> FloatArray:

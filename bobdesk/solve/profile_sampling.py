@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from bobdesk.arrays import FloatArray, frozen
+from bobdesk.arrays import FloatArray, IntArray, frozen
 from bobdesk.errors import TargetError
 from bobdesk.progress import Progress
 from bobdesk.solve.anchors import Anchors
@@ -152,21 +152,24 @@ def _moved(elevations: FloatArray, first: int, lift: FloatArray, bounds: _Bounds
     largest = np.full(len(elevations), np.inf)
 
     def narrow(values: FloatArray, along: FloatArray, low: FloatArray | float, high: FloatArray | float) -> None:
-        moves = np.abs(along) > _NOTHING
-        if not moves.any():
+        found = np.flatnonzero(np.abs(along) > _NOTHING)
+        if not len(found):
             return
+        whole = len(found) == found[-1] - found[0] + 1
+        moves: slice | IntArray = slice(found[0], found[-1] + 1) if whole else found
         along = along[moves]
-        down = ((low[moves] if isinstance(low, np.ndarray) else low) - values[:, moves]) / along
-        up = ((high[moves] if isinstance(high, np.ndarray) else high) - values[:, moves]) / along
-        np.maximum(least, np.minimum(down, up).max(axis=1), out=least)
-        np.minimum(largest, np.maximum(down, up).min(axis=1), out=largest)
+        one = (low[moves] if isinstance(low, np.ndarray) else low) / along
+        other = (high[moves] if isinstance(high, np.ndarray) else high) / along
+        there = values[:, moves] / along
+        np.maximum(least, (np.minimum(one, other) - there).max(axis=1), out=least)
+        np.minimum(largest, (np.maximum(one, other) - there).min(axis=1), out=largest)
 
     narrow(here, way, bounds.low[begin:end], bounds.high[begin:end])
-    gradients, turned = -np.diff(here) / cells, -np.diff(way) / cells
+    gradients, turned = (here[:, :-1] - here[:, 1:]) / cells, (way[:-1] - way[1:]) / cells
     narrow(gradients, turned, bounds.min_gradient, bounds.max_gradient)
     if bounds.most is not None and end - begin > 2:
         most = bounds.most[begin : end - 2]
-        narrow(np.diff(gradients), np.diff(turned), -most, most)
+        narrow(gradients[:, 1:] - gradients[:, :-1], turned[1:] - turned[:-1], -most, most)
     least, largest = np.minimum(least, 0.0), np.maximum(largest, 0.0)
     amount = least + random.random(len(elevations)) * (largest - least)
     here += amount[:, None] * way

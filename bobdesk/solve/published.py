@@ -54,8 +54,27 @@ def published(
     scale, scale_before = 1.0, 1.0
     heights = np.full(len(lengths), targets.drop / len(lengths)) if warm is None else warm.on(profile) * lengths
     heights = _within_limits(heights, lengths, targets)
-    value = objective.value(heights / lengths)
-    yield _iterate(0, heights, profile, scale, value, objective, targets)
+    no_edge_gradients = np.zeros(max(len(lengths) - 1, 1))
+
+    def look(number: int, heights: FloatArray, scale: float) -> Iterate:
+        gradients = heights / (scale * lengths)
+        value, terms = objective.value_and_terms(gradients, scale)
+        return Iterate(
+            number=number,
+            stage="published",
+            gradients=gradients,
+            objective=value,
+            length=targets.length - terms.length,
+            drop=targets.drop - terms.height,
+            optimality=float("nan"),
+            step=float("nan"),
+            scale=scale,
+            profile=profile,
+            edge_gradients=no_edge_gradients,
+        )
+
+    iterate = look(0, heights, scale)
+    yield iterate
     before, heights = heights, heights - rate * settings.first_derivative
     if targets.unknown_scale:
         scale = scale_before - rate * settings.first_derivative
@@ -63,11 +82,11 @@ def published(
     status, message = 1, f"Stopped after {settings.max_iterations:,} iterations."
     number = 0
     for number in range(1, settings.max_iterations + 1):
-        plan = scale * lengths
-        heights = _within_limits(heights, plan, targets)
-        value_before, value = value, objective.value(heights / plan, scale)
-        yield _iterate(number, heights, profile, scale, value, objective, targets)
-        change = value - value_before
+        heights = _within_limits(heights, scale * lengths, targets)
+        value_before = iterate.objective
+        iterate = look(number, heights, scale)
+        yield iterate
+        change = iterate.objective - value_before
         if not np.isfinite(change):
             status, message = 2, "J ran off to infinity."
             break
@@ -91,7 +110,7 @@ def published(
         method="published",
         profile=profile,
         gradients=heights / (scale * lengths),
-        edge_gradients=_no_edge_gradients(profile),
+        edge_gradients=no_edge_gradients,
         scale=scale,
         start_elevation=targets.drop,
         status=status,
@@ -99,7 +118,7 @@ def published(
         nit=number,
         nfev=objective.nfev,
         njev=0,
-        objective=value,
+        objective=iterate.objective,
         optimality=float("nan"),
     )
 
@@ -112,39 +131,9 @@ def _rate(settings: PublishedSettings, profile: Profile, targets: Targets) -> fl
 
 def _within_limits(heights: FloatArray, lengths: FloatArray, targets: Targets) -> FloatArray:
     """Project: a height difference whose gradient is out of the limits is put on the limit."""
-    return np.clip(heights, targets.min_gradient * lengths, targets.max_gradient * lengths)
+    return np.minimum(np.maximum(heights, targets.min_gradient * lengths), targets.max_gradient * lengths)
 
 
 def _quotient(change: float, moved: FloatArray) -> FloatArray:
     """Return the derivative by differences of two iterates; 0 for what did not move."""
     return np.divide(change, moved, out=np.zeros_like(moved), where=moved != 0)
-
-
-def _iterate(
-    number: int,
-    heights: FloatArray,
-    profile: Profile,
-    scale: float,
-    value: float,
-    objective: PublishedObjective,
-    targets: Targets,
-) -> Iterate:
-    gradients = heights / (scale * profile.piece_lengths)
-    terms = objective.terms(gradients, scale)
-    return Iterate(
-        number=number,
-        stage="published",
-        gradients=gradients,
-        objective=value,
-        length=targets.length - terms.length,
-        drop=targets.drop - terms.height,
-        optimality=float("nan"),
-        step=float("nan"),
-        scale=scale,
-        profile=profile,
-        edge_gradients=_no_edge_gradients(profile),
-    )
-
-
-def _no_edge_gradients(profile: Profile) -> FloatArray:
-    return np.zeros(max(len(profile.piece_lengths) - 1, 1))

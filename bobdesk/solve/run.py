@@ -5,6 +5,7 @@ The solvers are imported where they are started: the window lists them before sc
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
@@ -46,6 +47,21 @@ class WarmSolver(Protocol):
         """Start; None begins as `solve` does."""
 
 
+class AskingSolver(Protocol):
+    """A solver that asks while it works, and not only between two iterates, whether to end."""
+
+    def __call__(
+        self,
+        centreline: Centreline,
+        segments: Segments,
+        targets: Targets,
+        settings: SolverSettings,
+        *,
+        asked: Callable[[], bool],
+    ) -> Run:
+        """Start; raise StoppedWithinError once `asked`, which may take its time, has said to end."""
+
+
 @dataclass(frozen=True)
 class SolverMethod:
     """A method; what an entry point of the group "bobdesk.solvers" must be.
@@ -63,6 +79,8 @@ class SolverMethod:
     solve_from
         Starts it where an earlier run ended; None where that is of no use. The recommended method has none, since
         its first stage begins at the exact optimum without limits.
+    solve_asking
+        Starts it so that it can be stopped between two iterates; None where these follow each other fast.
     """
 
     key: str
@@ -70,6 +88,7 @@ class SolverMethod:
     solve: Solver
     holds_known: bool = True
     solve_from: WarmSolver | None = None
+    solve_asking: AskingSolver | None = None
 
 
 def _pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings) -> Run:
@@ -92,21 +111,37 @@ def _published(
     return published(centreline, segments, targets, chosen, warm=warm)
 
 
+def _go_on() -> bool:
+    return False
+
+
 def _second_opinion(
-    centreline: Centreline, segments: Segments, targets: Targets, settings: SolverSettings, *, method: SecondOpinion
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: SolverSettings,
+    *,
+    method: SecondOpinion,
+    asked: Callable[[], bool] = _go_on,
 ) -> Run:
     from bobdesk.solve.second_opinions import second_opinion
 
-    return second_opinion(centreline, segments, targets, method, SecondOpinionSettings(weights=settings.weights))
+    chosen = SecondOpinionSettings(weights=settings.weights)
+    return second_opinion(centreline, segments, targets, method, chosen, asked=asked)
+
+
+def _second(key: SecondOpinion, title: str, *, holds_known: bool) -> SolverMethod:
+    solver = partial(_second_opinion, method=key)
+    return SolverMethod(key, title, solver, holds_known=holds_known, solve_asking=solver)
 
 
 METHODS: tuple[SolverMethod, ...] = (
     SolverMethod("pgd", "Projected gradient descent, recommended", _pgd),
     SolverMethod("published", "The published method", _published, holds_known=False, solve_from=_published),
-    SolverMethod("lbfgsb", "L-BFGS-B", partial(_second_opinion, method="lbfgsb"), holds_known=False),
-    SolverMethod("slsqp", "SLSQP", partial(_second_opinion, method="slsqp")),
-    SolverMethod("trustconstr", "trust-constr", partial(_second_opinion, method="trustconstr")),
-    SolverMethod("de", "Differential evolution", partial(_second_opinion, method="de"), holds_known=False),
+    _second("lbfgsb", "L-BFGS-B", holds_known=False),
+    _second("slsqp", "SLSQP", holds_known=True),
+    _second("trustconstr", "trust-constr", holds_known=True),
+    _second("de", "Differential evolution", holds_known=False),
 )
 
 
@@ -118,6 +153,7 @@ def solve(
     *,
     methods: tuple[SolverMethod, ...] = METHODS,
     warm: WarmStart | None = None,
+    asked: Callable[[], bool] = _go_on,
 ) -> Run:
     """Start the solver of the settings; a generator of iterates that returns the solution.
 
@@ -131,6 +167,9 @@ def solve(
         Those that there are; `bobdesk.files.solvers` adds other packages'.
     warm
         Where to begin, for methods that can make use of it.
+    asked
+        For methods that compute long between two iterates: whether to end, asked while they do, on any thread. It may
+        take its time.
 
     Raises
     ------
@@ -138,11 +177,15 @@ def solve(
         If a target is no usable number, there is no such method, or it cannot do what is asked.
     TargetError
         If limits, drop and known elevations contradict each other.
+    StoppedWithinError
+        If `asked` said to end.
     """
     check_targets(targets)
     method = method_named(settings.method, methods)
     if warm is not None and method.solve_from is not None:
         return method.solve_from(centreline, segments, targets, settings, warm=warm)
+    if method.solve_asking is not None:
+        return method.solve_asking(centreline, segments, targets, settings, asked=asked)
     return method.solve(centreline, segments, targets, settings)
 
 

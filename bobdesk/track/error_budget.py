@@ -147,7 +147,7 @@ def error_budget(
     )
     half_elevation = COVERED * np.sqrt(elevation + open_elevation**2)
     half_gradient = COVERED * np.sqrt(gradient + open_gradient**2)
-    sentence = _sentence(total, shares, rows, half_elevation)
+    sentence = _sentence(total, shares, rows, half_elevation) + _unknown(errors)
     return ErrorBudget(line, (*shares, total), rows, half_elevation, half_gradient, sentence)
 
 
@@ -211,6 +211,14 @@ def _rms(values: FloatArray) -> float:
 
 def _root(values: Iterable[float]) -> float:
     return math.sqrt(sum(value**2 for value in values))
+
+
+def _unknown(errors: InputErrors) -> str:
+    if not errors.unknown:
+        return ""
+    named = {"digitising": "the digitised line", "calibration": "the plan's scale"}
+    what = " and ".join(named.get(name, name) for name in errors.unknown)
+    return f" How exact {what} may be is not known and counts as no error: the real track may lie farther off."
 
 
 def _sentence(total: Share, shares: list[Share], rows: FloatArray, elevation: FloatArray) -> str:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Decimal
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.length_error import length_sigma_of_vertices
 from bobdesk.solve.targets import Targets
+from bobdesk.track.rounding import half_unit
 
 
 @dataclass(frozen=True)
@@ -23,16 +23,19 @@ class InputErrors:
         Of the plan length, from clicks or trace, m.
     length_rounding, drop_rounding
         Half a unit of the last decimal place of the figures, m.
+    unknown
+        Sources of which nothing is known, so that they count as 0.
     """
 
     scale: float = 0.0
     digitising: float = 0.0
     length_rounding: float = 0.0
     drop_rounding: float = 0.0
+    unknown: tuple[str, ...] = ()
 
 
 def input_errors(
-    line: Centreline, targets: Targets, *, vertices: int, wavelength: float, scale: float = 0.0
+    line: Centreline, targets: Targets, *, vertices: int, wavelength: float, scale: float | None = None
 ) -> InputErrors:
     """Return what can be said of a fitted line and its targets.
 
@@ -43,14 +46,15 @@ def input_errors(
     targets
         As they were written: their decimal places say how far they are rounded.
     scale
-        1 sigma of the plan's scale, as a share.
+        1 sigma of the plan's scale, as a share; None if nothing is known of it.
     """
     distance = line.length / max(vertices - 1, 1)
     digitising = length_sigma_of_vertices(line, vertex_distance=distance, wavelength=wavelength)
-    return InputErrors(scale, digitising or 0.0, half_unit(targets.length), half_unit(targets.drop))
-
-
-def half_unit(figure: float) -> float:
-    """Return half a unit of the last decimal place that a figure has: 0.05 for 149.3, 0.5 for 1278."""
-    exponent = Decimal(repr(float(figure))).normalize().as_tuple().exponent
-    return 0.5 * 10.0 ** min(int(exponent), 0)
+    sources = {"digitising": digitising, "calibration": 0.0 if targets.unknown_scale else scale}
+    return InputErrors(
+        scale=scale or 0.0,
+        digitising=digitising or 0.0,
+        length_rounding=half_unit(targets.length),
+        drop_rounding=half_unit(targets.drop),
+        unknown=tuple(name for name, sigma in sources.items() if sigma is None),
+    )

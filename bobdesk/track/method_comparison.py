@@ -12,7 +12,7 @@ from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import InputError, TargetError
 from bobdesk.progress import Progress
-from bobdesk.solve.iterates import Solution
+from bobdesk.solve.iterates import Iterate, Solution
 from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.run import METHODS, SolverMethod, solve
 from bobdesk.solve.settings import SolverSettings, Weights
@@ -29,21 +29,23 @@ class MethodRow:
 
     Attributes
     ----------
-    method
-        Key and title.
+    method, title
+        Its key, and what a person calls it.
     objective
         J of the published objective with the weights of the settings, whatever the method itself minimises;
         NaN where it failed.
-    line, found, off
-        The line, its figures and their deviations from the targets; None where it failed.
+    solution, line, found, off
+        Its end, the line, its figures and their deviations from the targets; None where it failed.
     iterations, evaluations, seconds
         What it took.
     message
         Why it ended, one sentence.
     """
 
-    method: SolverMethod
+    method: str
+    title: str
     objective: float
+    solution: Solution | None
     line: Centreline3D | None
     found: Figures | None
     off: Deviations | None
@@ -61,6 +63,7 @@ def compare_methods(
     *,
     clock: Callable[[], float],
     methods: Sequence[SolverMethod] = METHODS,
+    seen: Callable[[Iterate], object] | None = None,
 ) -> Generator[Progress, None, tuple[MethodRow, ...]]:
     """Run one method after the other; a method that fails is a row with its reason.
 
@@ -70,6 +73,8 @@ def compare_methods(
         For all methods; the method that they name does not matter.
     clock
         Seconds from anywhere; this package reads no clock itself.
+    seen
+        Is given every iterate as it comes.
     """
     rows: list[MethodRow] = []
     for number, method in enumerate(methods):
@@ -82,7 +87,9 @@ def compare_methods(
             while True:
                 # A method that runs off to infinity says so in its row, not on the terminal.
                 with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-                    next(run)
+                    iterate = next(run)
+                if seen is not None:
+                    seen(iterate)
                 iterations += 1
                 if iterations % _ITERATES_A_REPORT == 0:
                     yield progress
@@ -113,8 +120,10 @@ def _row(
     line = make_centreline3d(centreline, segments, solution)
     found = figures(line)
     return MethodRow(
-        method,
+        method.key,
+        method.title,
         published_value(solution, targets, weights),
+        solution,
         line,
         found,
         deviations(found, targets),
@@ -126,4 +135,11 @@ def _row(
 
 
 def _failed(method: SolverMethod, iterations: int, evaluations: int, seconds: float, why: str) -> MethodRow:
-    return MethodRow(method, math.nan, None, None, None, iterations, evaluations, seconds, f"Failed: {why}.")
+    row = failed_method(method.key, method.title, why)
+    return replace(row, iterations=iterations, evaluations=evaluations, seconds=seconds)
+
+
+def failed_method(key: str, title: str, why: str) -> MethodRow:
+    """Return the row of a method that could not even begin."""
+    sentence = f"Failed: {' '.join(why.split()).rstrip('.')}."
+    return MethodRow(key, title, math.nan, None, None, None, None, 0, 0, 0.0, sentence)

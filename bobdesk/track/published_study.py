@@ -93,6 +93,13 @@ class ComparedRow:
     ours: tuple[Remade, ...]
 
 
+@dataclass(frozen=True)
+class RemakeProgress(Progress):
+    """How far it is, with the rows so far."""
+
+    rows: tuple[ComparedRow, ...] = ()
+
+
 PlanSource = Callable[[int], tuple[Centreline, Segments]]
 
 
@@ -108,7 +115,7 @@ def plan_length_of(figures_: PublishedFigures) -> float:
 
 def remake(
     rows: Sequence[PublishedRow], plans: dict[str, PlanSource]
-) -> Generator[Progress, None, tuple[ComparedRow, ...]]:
+) -> Generator[RemakeProgress, None, tuple[ComparedRow, ...]]:
     """Solve every row by the published method and by ours.
 
     Parameters
@@ -117,9 +124,9 @@ def remake(
         Real plans by track, as a function of the number of segments; the others get a stand-in whose plan
         length is the one of the row.
     """
-    found = []
+    found: list[ComparedRow] = []
     for number, row in enumerate(rows):
-        yield Progress(number / len(rows), f"{row.track}, {row.table}")
+        yield RemakeProgress(number / len(rows), f"{row.track}, {row.table}", tuple(found))
         if row.track in plans:
             centreline, segments = plans[row.track](row.segments)
         else:

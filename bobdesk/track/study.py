@@ -106,6 +106,14 @@ class Task:
     actual: FloatArray | None = None
 
 
+@dataclass(frozen=True)
+class Unready:
+    """A cell that cannot even be begun, and why: its plan has no such number of segments."""
+
+    cell: Cell
+    problem: str
+
+
 def cells(
     plans: Sequence[str],
     counts: Sequence[int | None],
@@ -146,8 +154,10 @@ def task_of(
     return Task(cell, centreline, segments, replace(targets, known=(*targets.known, *known)), chosen, factor, actual)
 
 
-def solve_task(task: Task, methods: tuple[SolverMethod, ...] = METHODS) -> tuple[str, ...]:
+def solve_task(task: Task | Unready, methods: tuple[SolverMethod, ...] = METHODS) -> tuple[str, ...]:
     """Solve a cell and return its row, as text; a cell that fails is a row with its reason."""
+    if isinstance(task, Unready):
+        return failed_row(task.cell, task.problem)
     try:
         # What runs off to infinity fails below, and needs no warning on a terminal.
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -164,6 +174,11 @@ def failed_row(cell: Cell, why: str, *, segments: int | None = None) -> tuple[st
     count = "" if segments is None else str(segments)
     empty = [""] * (len(STUDY_COLUMNS) - len(cell.key) - 3)
     return (cell.key[0], cell.key[1], count, *cell.key[2:], *empty, FAILED, " ".join(why.split()))
+
+
+def percent_text(value: float) -> str:
+    """Return a deviation, %, as tables have it: what rounds to nothing has no sign."""
+    return f"{round(value, 6) + 0.0:.6f}"
 
 
 def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
@@ -184,9 +199,9 @@ def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
         f"{found.mean_gradient_segments:.6f}",
         f"{found.max_gradient:.6f}",
         f"{found.mean_curvature_difference:.8f}",
-        f"{off.length:.6f}",
-        f"{off.drop:.6f}",
-        "" if off.mean_gradient is None else f"{off.mean_gradient:.6f}",
+        percent_text(off.length),
+        percent_text(off.drop),
+        "" if off.mean_gradient is None else percent_text(off.mean_gradient),
         z_rms,
         f"{published_value(solution, task.targets, task.settings.weights):.6g}",
         f"{solution.scale * task.factor:.6f}",

@@ -13,27 +13,29 @@ from PySide6.QtCore import QEvent, QLibraryInfo, QLocale, QTimer, QTranslator
 from PySide6.QtGui import QImageReader
 from PySide6.QtWidgets import QApplication
 
-from bobdesk import __version__
+from bobdesk import APPLICATION_ID, __version__
 from bobdesk.files.recovery import user_data_folder
 from bobdesk.ui.crash import CrashGuard
+from bobdesk.ui.file_requests import Application
 from bobdesk.ui.icons import icon
 from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.qt import refuse_unsound_versions
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import ThemeFollower
+from bobdesk.ui.updates.updates import updates_of
 
 _QT_IMAGES_MB = 4096
 
 
-def make_application(arguments: Sequence[str]) -> QApplication:
+def make_application(arguments: Sequence[str]) -> Application:
     """Return the application, with its names and limits."""
     refuse_unsound_versions(sys.version_info[:3], PySide6.__version__)
-    application = QApplication(["bobdesk", *arguments])
+    application = Application(["bobdesk", *arguments])
     application.setApplicationName("BobDesk")
     application.setApplicationDisplayName("BobDesk")
     application.setApplicationVersion(__version__)
-    application.setDesktopFileName("bobdesk")
+    application.setDesktopFileName(APPLICATION_ID)
     QImageReader.setAllocationLimit(_QT_IMAGES_MB)
     return application
 
@@ -64,8 +66,14 @@ def start(path: Path | None) -> int:
     window.show()
     if path is not None:
         QTimer.singleShot(0, window, partial(window.open_file, path))
+    application.requests.hand_to(window, window.open_file)
     QTimer.singleShot(0, window, window.warm_up)
+    updates = updates_of(window.desk)
+    if updates is not None:
+        updates.ask_later()
     status = application.exec()
+    if updates is not None:
+        updates.drop()
     guard.uninstall()
     settings.write()
     # The window goes before the application, or Qt's own objects end in the wrong order.

@@ -26,7 +26,8 @@ class DerivedLater(QObject):
     title
         What is worked out, for the user.
     function
-        Called on a thread with a project (a value that never changes); may raise InputError.
+        Called on a thread with a project (a value that never changes); may raise InputError. A generator
+        function may be stopped between two steps.
     inputs
         Returns what the function needs of a project, compared by identity; None if there is nothing to
         work out yet.
@@ -71,6 +72,10 @@ class DerivedLater(QObject):
     def is_current(self) -> bool:
         """Whether the value is that of the project as it is now."""
         return self._is_current
+
+    def look_again(self) -> None:
+        """Ask anew if what is needed is other than before, though the document is the same."""
+        self._look(self._desk.session.project)
 
     def _on_changed(self, _before: Project, after: Project) -> None:
         self._look(after)

@@ -25,7 +25,7 @@ _LIBRARIES: tuple[tuple[str, str, str, tuple[str, ...]], ...] = (
     ("Pillow", "Pillow", "MIT-CMU", ()),
     ("pypdfium2", "pypdfium2, with PDFium", "BSD-3-Clause or Apache-2.0", ("BSD-3-Clause", "Apache-2.0")),
     ("click", "Click", "BSD-3-Clause", ("BSD-3-Clause",)),
-    ("resvg-py", "resvg-py, with resvg", "MIT, MPL-2.0", ()),
+    ("resvg-py", "resvg-py, with resvg", "MIT or Apache-2.0", ()),
     ("defusedxml", "defusedxml", "PSF-2.0", ()),
     ("msgspec", "msgspec", "BSD-3-Clause", ("BSD-3-Clause",)),
     ("platformdirs", "platformdirs", "MIT", ()),

@@ -13,6 +13,7 @@ from bobdesk.project.project import Project
 from bobdesk.project.steps import StepName
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.documents import Documents
+from bobdesk.ui.guide.guide import Guide
 from bobdesk.ui.notice_bar import NoticeBar
 from bobdesk.ui.notices import Notices
 from bobdesk.ui.plan_picture import PlanPicture
@@ -28,10 +29,12 @@ from bobdesk.ui.solving import solving_of
 from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
+from bobdesk.ui.studies.beside_windows import BesideWindows
 from bobdesk.ui.warm_up import warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
 from bobdesk.ui.window_panels import WindowPanels
+from bobdesk.ui.window_parts import go_to_part
 from bobdesk.ui.window_views import WindowViews
 
 
@@ -60,6 +63,7 @@ class MainWindow(QMainWindow):
             settings=settings,
             quantities=Quantities(settings, self),
         )
+        self.beside = BesideWindows(self.desk, data_folder, self)
         self._may_close = False
         self._forget_copy = True
         self.questions = Questions(settings, self)
@@ -71,6 +75,8 @@ class MainWindow(QMainWindow):
         self.start = Start(self.desk, self.documents, self.plans, self)
         self.panels = WindowPanels(self.desk, self.view, self.plans, lambda: self.actions_by_name, self)
         self.views = WindowViews(self.desk, self.start.page, self.view, self)
+        self.guide = Guide(lambda: self.actions_by_name, self._step_in_sight, settings, self.desk.notices, self)
+        self.start.page.guide_wanted.connect(self.guide.open)
         self._put_together()
         self.actions_by_name = make_actions(self)
         self.layout_of_window = WindowLayout(self, settings)
@@ -128,9 +134,10 @@ class MainWindow(QMainWindow):
         self.layout_of_window.reset()
         self._show_document()
 
-    def next_part(self) -> None:
-        """Move the focus to the next part of the window."""
-        self.layout_of_window.next_part(self.steps_bar, self.view, self.panels.stack)
+    def next_part(self, by: int = 1) -> None:
+        """Move the keyboard to the next part of the window, or with -1 to the one before."""
+        start = [(self.notice_bar,), *self.start.page.parts()]
+        go_to_part(self.layout_of_window.parts() if self.views.shows_document else start, by)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about changes that are not saved; the window closes when that is settled."""
@@ -139,6 +146,8 @@ class MainWindow(QMainWindow):
         if not self._may_close:
             event.ignore()
             return
+        self.guide.close()
+        self.beside.close()
         self.layout_of_window.remember()
         self.desk.runner.close()
         self.documents.close(forget_copy=self._forget_copy)
@@ -175,6 +184,9 @@ class MainWindow(QMainWindow):
 
         return look_at_coordinates(self.desk, path, as_actual=as_actual, parent=self)
 
+    def _step_in_sight(self) -> StepName | None:
+        return self.steps_bar.shown if self.desk.session.is_open else None
+
     def _settle(self) -> None:
         self._may_close = True
         if not self.isHidden():
@@ -185,7 +197,8 @@ class MainWindow(QMainWindow):
         column = QVBoxLayout(centre)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addWidget(NoticeBar(self.desk.notices, centre))
+        self.notice_bar = NoticeBar(self.desk.notices, centre)
+        column.addWidget(self.notice_bar)
         column.addWidget(self.views, 1)
         self.setCentralWidget(centre)
         self.setStatusBar(self.status)
@@ -197,6 +210,8 @@ class MainWindow(QMainWindow):
         session.state_changed.connect(self._on_state)
         session.refused.connect(self.desk.notices.error)
         self.steps_bar.chosen.connect(self.go_to)
+        # The guide's key acts in the other windows, too.
+        self.beside.made.connect(lambda made: made.addAction(self.actions_by_name["guide"]))
         self.view.pointer_moved.connect(self.status.show_place)
         self.view.said.connect(self.status.say)
         self.desk.selection.vertices_changed.connect(self.actions_by_name.refresh)
@@ -209,6 +224,7 @@ class MainWindow(QMainWindow):
         self._on_state()
 
     def _on_document(self) -> None:
+        self.notice_bar.leave_document()
         self.desk.selection.clear()
         self._show_document()
 

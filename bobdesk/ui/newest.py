@@ -36,6 +36,7 @@ class Newest(QObject):
         self._title = title
         self._job: Job | None = None
         self._next: Callable[[], Any] | None = None
+        self._is_dropped = False
 
     @property
     def is_busy(self) -> bool:
@@ -43,8 +44,11 @@ class Newest(QObject):
         return self._job is not None
 
     def ask(self, function: Callable[[], Any]) -> None:
-        """Have `function` called on a thread; it must touch nothing of the window."""
-        self._next = function
+        """Have `function` called on a thread; it must touch nothing of the window.
+
+        Where it returns a generator, that is pulled to its end, and another question stops it between two steps.
+        """
+        self._next, self._is_dropped = function, False
         if self._job is None:
             self._begin()
         else:
@@ -52,7 +56,7 @@ class Newest(QObject):
 
     def drop(self) -> None:
         """Want no answer any more."""
-        self._next = None
+        self._next, self._is_dropped = None, True
         if self._job is not None:
             self._job.stop()
 
@@ -64,9 +68,12 @@ class Newest(QObject):
 
         def steps() -> Generator[Progress, None, Any]:
             yield Progress(0.0, title)
-            return function()
+            answer = function()
+            if isinstance(answer, Generator):
+                answer = yield from answer
+            return answer
 
-        job = self._runner.start(title, steps, done=self._on_done, failed=self._on_failed)
+        job = self._runner.start(title, steps, done=self._on_done, failed=self._on_failed, stopped=self._on_stopped)
         self._job = job
         job.ended.connect(self._on_ended)
 
@@ -78,6 +85,11 @@ class Newest(QObject):
     def _on_failed(self, sentence: str) -> None:
         if self._next is None:
             self.failed.emit(sentence)
+
+    def _on_stopped(self) -> None:
+        # By the user: nothing else would ever be told.
+        if self._next is None and not self._is_dropped:
+            self.failed.emit(self.tr("Stopped; the next change begins it again"))
 
     def _on_ended(self) -> None:
         self._job = None

@@ -70,7 +70,7 @@ class NoticeRow(Banner):
 
     def renew(self) -> None:
         """Have the note's time begin again."""
-        if self.notice.weight == "note" and self.isVisible():
+        if self.notice.weight == "note" and not self.notice.stays and self.isVisible():
             self._timer.start()
 
     def rest(self) -> None:
@@ -170,6 +170,12 @@ class NoticeBar(QWidget):
         self._scrolled.verticalScrollBar().setValue(0)
         self._set_tab_order()
         _announce(row)
+
+    def leave_document(self) -> None:
+        """Close what was said of the document until now; what stays until it is closed concerns the program."""
+        for row in tuple(self._rows):
+            if not row.notice.stays:
+                self._drop(row)
 
     def clear(self) -> None:
         """Close all notices."""

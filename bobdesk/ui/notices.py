@@ -25,11 +25,12 @@ class Remedy:
 
 @dataclass(frozen=True)
 class Notice:
-    """One sentence; a note goes away by itself, the others stay until they are closed."""
+    """One sentence; a note goes away by itself unless it stays, the others stay until they are closed."""
 
     sentence: str
     weight: Weight
     remedies: tuple[Remedy, ...] = ()
+    stays: bool = False
 
     @property
     def kind(self) -> tuple[Weight, str]:
@@ -52,6 +53,10 @@ class Notices(QObject):
         """Say something that is good to know."""
         self._tell(sentence, "note", remedies)
 
+    def offer(self, sentence: str, *remedies: Remedy) -> None:
+        """Say something good to know that the user may act on, until it is closed."""
+        self._tell(sentence, "note", remedies, stays=True)
+
     def warn(self, sentence: str, *remedies: Remedy) -> None:
         """Say that something may not be as the user thinks."""
         self._tell(sentence, "warning", remedies)
@@ -60,11 +65,11 @@ class Notices(QObject):
         """Say that something could not be done; nothing is lost."""
         self._tell(sentence, "error", remedies)
 
-    def _tell(self, sentence: str, weight: Weight, remedies: tuple[Remedy, ...]) -> None:
+    def _tell(self, sentence: str, weight: Weight, remedies: tuple[Remedy, ...], *, stays: bool = False) -> None:
         sentence = sentence.strip()
         if sentence:
             # the name of a file begins as it does
             is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
             first = sentence[0] if is_name else sentence[0].upper()
             whole = first + ended(sentence[1:])
-            self.told.emit(Notice(whole, weight, remedies))
+            self.told.emit(Notice(whole, weight, remedies, stays))

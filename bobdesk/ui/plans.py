@@ -106,15 +106,16 @@ class Plans(QObject):
         else:
             self.open_coordinates(path)
 
-    def open_picture(self, path: Path) -> None:
-        """Read a picture in the background and make it the plan."""
+    def open_picture(self, path: Path, *, name: str = "") -> None:
+        """Read a picture in the background and make it the plan, under another name than its file's if one is given."""
+        shown = name or path.name
 
         def job() -> Generator[Progress, None, _Read]:
             data = picture_bytes(path)
             image = yield from read_picture_steps(path)
-            return (yield from _prepared(image, data, path.name))
+            return (yield from _prepared(image, data, shown))
 
-        self._read(job, path.name)
+        self._read(job, shown)
 
     def paste(self, mime: QMimeData) -> None:
         """Take what the clipboard holds: files, or a picture."""

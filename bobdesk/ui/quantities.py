@@ -6,6 +6,7 @@ Files never pass through here; they have metres, dots and no groups.
 from __future__ import annotations
 
 import math
+import re
 
 from PySide6.QtCore import QLocale, QObject, Signal
 
@@ -13,6 +14,10 @@ from bobdesk.ui.settings import Settings
 
 _FEET = 0.3048
 _NOTHING = "–"
+# A number with points and groups as in English, which is no part of a word or of a larger number.
+_NUMBER = re.compile(
+    r"(?<![\w.,/\\+−-])(?P<number>[−-]?(?:\d{1,3}(?:,\d{3})+|\d+)(?:\.\d+)?)(?![\w/\\]|[.,]\d)(?P<unit> m\b(?!/))?"
+)
 
 
 class Quantities(QObject):
@@ -74,6 +79,27 @@ class Quantities(QObject):
             return _NOTHING
         value = round(value, digits) + 0.0
         return QLocale().toString(value, "f", digits).replace("-", "−")
+
+    def short(self, value: float | None, digits: int = 3) -> str:
+        """Return a number of any size with so many digits in all, such as "8.01e−07"; a dash for None and NaN."""
+        if value is None or math.isnan(value):
+            return _NOTHING
+        if math.isinf(value):
+            return "∞" if value > 0 else "−∞"
+        return QLocale().toString(value, "g", digits).replace("-", "−").replace("E", "e")
+
+    def sentence(self, text: str) -> str:
+        """Return a sentence of a solver with its numbers as the user writes them, and metres in the user's unit.
+
+        Not for sentences with names in them: a name keeps its dots.
+        """
+        return _NUMBER.sub(self._rewritten, text)
+
+    def _rewritten(self, found: re.Match[str]) -> str:
+        written = found["number"].replace(",", "").replace("−", "-")
+        digits = len(written.partition(".")[2])
+        value = float(written)
+        return self.length(value, digits) if found["unit"] else self.number(value, digits)
 
     def angle(self, radians: float | None, digits: int = 1) -> str:
         """Return an angle in degrees."""

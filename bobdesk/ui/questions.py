@@ -8,6 +8,7 @@ from typing import Literal
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QPushButton, QWidget
 
+from bobdesk.files.file_names import usable_name
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.widgets.long_names import breakable
 
@@ -99,6 +100,21 @@ class Questions(QObject):
         cancel = box.addButton(self.tr("Cancel"), QMessageBox.ButtonRole.RejectRole)
         return self._pressed(box, default=cancel, escape=cancel) is overwrite
 
+    def stop_work(self, text: str, consequence: str) -> bool:
+        """Say what is at work and what becomes of it; return whether it shall be stopped."""
+        box = self._box(text)
+        box.setInformativeText(consequence)
+        stop = box.addButton(self.tr("Stop and close"), QMessageBox.ButtonRole.AcceptRole)
+        stay = box.addButton(self.tr("Go on"), QMessageBox.ButtonRole.RejectRole)
+        return self._pressed(box, default=stay, escape=stay) is stop
+
+    def files_to_open(self, purpose: str, title: str, filters: str) -> list[Path]:
+        """Ask for any number of files to read."""
+        chosen, _ = QFileDialog.getOpenFileNames(self._window, title, self._settings.folder(purpose), filters)
+        if chosen:
+            self._settings.set_folder(purpose, Path(chosen[0]).parent)
+        return [Path(name) for name in chosen]
+
     def file_to_open(self, purpose: str, title: str, filters: str) -> Path | None:
         """Ask for a file to read; `purpose` remembers the folder."""
         chosen, _ = QFileDialog.getOpenFileName(self._window, title, self._settings.folder(purpose), filters)
@@ -108,7 +124,11 @@ class Questions(QObject):
         return Path(chosen)
 
     def file_to_save(self, purpose: str, title: str, name: str, filters: str, suffix: str) -> Path | None:
-        """Ask for a file to write; the suffix is added where it is missing, and overwriting is asked for."""
+        """Ask for a file to write; the suffix is added where it is missing, and overwriting is asked for.
+
+        A proposed `name` becomes one that every system takes, whatever the project is called.
+        """
+        name = usable_name(name.removesuffix(suffix), suffix)
         folder = self._settings.folder(purpose)
         proposed = str(Path(folder) / name) if folder else name
         dialog = QFileDialog(self._window, title, proposed, filters)

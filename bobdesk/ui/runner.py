@@ -6,6 +6,7 @@ fetches it from there.
 
 from __future__ import annotations
 
+import sys
 import threading
 import time
 from collections import deque
@@ -18,6 +19,12 @@ from bobdesk.errors import InputError, TargetError
 
 MakeJob = Callable[[], Generator[Any, None, Any]]
 _LOOK_EVERY_MS = 15
+# Each look takes the interpreter from the workers: long jobs are looked at less often.
+_LOOK_AT_LONG_EVERY_MS = 40
+_LONG_S = 0.5
+# The longest that a busy worker keeps the interpreter from the window; at Python's 5 ms a picture that is drawn in
+# 300 calls of Qt, each of which lets go of the interpreter and wants it back, takes a second.
+_HAND_OVER_AFTER_S = 0.0002
 _MOST_STEPS_WAITING = 20_000
 # What a closing window waits for a job to come to its next step.
 _PATIENCE_S = 3.0
@@ -84,6 +91,11 @@ class Job(QObject):
     def resume(self) -> None:
         """Go on after a rest."""
         self._may_go_on.set()
+
+    def rest(self) -> bool:
+        """Wait, on any thread of the job, while it is paused; return whether it has been stopped."""
+        self._may_go_on.wait()
+        return self._stop.is_set()
 
     def drained(self) -> list[Any]:
         """Return, and forget, what was yielded since the last time, for those who want every step."""
@@ -161,6 +173,7 @@ class Runner(QObject):
         self._timer = QTimer(self)
         self._timer.setInterval(_LOOK_EVERY_MS)
         self._timer.timeout.connect(self._look)
+        sys.setswitchinterval(_HAND_OVER_AFTER_S)
 
     @property
     def jobs(self) -> tuple[Job, ...]:
@@ -197,7 +210,7 @@ class Runner(QObject):
                 signal.connect(call)
         self._jobs.append(job)
         job.begin()
-        self._timer.start()
+        self._timer.start(_LOOK_EVERY_MS)
         self.jobs_changed.emit()
         return job
 
@@ -217,7 +230,9 @@ class Runner(QObject):
 
     def _look(self) -> None:
         # What is told may ask the user, and a timer does not fire within its own call: other jobs must go on meanwhile.
-        self._timer.start()
+        now = time.monotonic()
+        are_long = all(now - job.began > _LONG_S for job in self._jobs)
+        self._timer.start(_LOOK_AT_LONG_EVERY_MS if are_long else _LOOK_EVERY_MS)
         for job in tuple(self._jobs):
             if not job.is_running:
                 continue  # its end is just being told, further down the stack

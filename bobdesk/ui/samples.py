@@ -7,6 +7,8 @@ from pathlib import Path
 
 from bobdesk.ui.resources import resource
 
+_PRACTICE = ("mugello", "plan.png")
+
 
 @dataclass(frozen=True)
 class Sample:
@@ -42,6 +44,12 @@ def samples() -> tuple[Sample, ...]:
         if (title := _first_line(folder / "SOURCE.md").lstrip("# "))
     ]
     return tuple(sorted(found, key=lambda sample: sample.title.casefold()))
+
+
+def practice_picture() -> Path | None:
+    """Return the picture of a plan to practise with; None if the program was installed without it."""
+    path = resource("samples", *_PRACTICE)
+    return path if path.is_file() else None
 
 
 def _first_line(path: Path) -> str:

@@ -11,11 +11,12 @@ from PySide6.QtCore import QObject, Signal
 
 
 class Selection(QObject):
-    """Selected vertices, segments, boundary and control point, and the station under the cursor.
+    """Selected vertices, segments, boundary, control point and stretch, and the station under the cursor.
 
     Signals
     -------
-    vertices_changed, segments_changed, boundary_changed, control_point_changed, station_changed
+    vertices_changed, segments_changed, boundary_changed, control_point_changed, station_changed,
+    stretch_changed
         One of them is another one than before.
     """
 
@@ -24,6 +25,7 @@ class Selection(QObject):
     boundary_changed = Signal()
     control_point_changed = Signal()
     station_changed = Signal()
+    stretch_changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -32,6 +34,7 @@ class Selection(QObject):
         self._boundary: int | None = None
         self._control_point: int | None = None
         self._station: float | None = None
+        self._stretch: tuple[float, float] | None = None
 
     @property
     def vertices(self) -> tuple[int, ...]:
@@ -96,6 +99,17 @@ class Selection(QObject):
             self._station = station
             self.station_changed.emit()
 
+    @property
+    def stretch(self) -> tuple[float, float] | None:
+        """First and last station of a stretch of the centreline that strips and plan mark together, m."""
+        return self._stretch
+
+    @stretch.setter
+    def stretch(self, stretch: tuple[float, float] | None) -> None:
+        if stretch != self._stretch:
+            self._stretch = stretch
+            self.stretch_changed.emit()
+
     def clear(self) -> None:
         """Select nothing."""
         self.vertices = ()
@@ -103,3 +117,4 @@ class Selection(QObject):
         self.boundary = None
         self.control_point = None
         self.station = None
+        self.stretch = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Literal, cast
 
@@ -80,6 +81,36 @@ class Settings(QObject):
         self._set("autosave_minutes", value)
 
     @property
+    def asks_for_updates(self) -> bool:
+        """Whether a newer version is looked for by itself."""
+        return bool(self._store.value("updates/ask", False, type=bool))
+
+    @asks_for_updates.setter
+    def asks_for_updates(self, value: bool) -> None:
+        self._set("updates/ask", value)
+
+    @property
+    def updates_asked(self) -> float:
+        """When a newer version was looked for last, seconds since 1970; 0 for never."""
+        try:
+            return float(self._text("updates/asked"))
+        except ValueError:
+            return 0.0
+
+    @updates_asked.setter
+    def updates_asked(self, value: float) -> None:
+        self._store.setValue("updates/asked", str(math.floor(value)))
+
+    @property
+    def updates_told(self) -> str:
+        """The newer version that the user was told of last, "" for none."""
+        return self._text("updates/told")
+
+    @updates_told.setter
+    def updates_told(self, value: str) -> None:
+        self._store.setValue("updates/told", value)
+
+    @property
     def recent(self) -> tuple[Path, ...]:
         """Projects opened or saved lately, newest first."""
         found = self._store.value("recent", [])
@@ -115,6 +146,14 @@ class Settings(QObject):
     def set_flag(self, name: str, value: bool) -> None:
         """Remember a yes or no of the window."""
         self._set(f"window/{name}", value)
+
+    def text_of(self, name: str) -> str:
+        """Return a remembered text of the window; "" if there is none."""
+        return self._text(f"window/{name}")
+
+    def set_text(self, name: str, value: str) -> None:
+        """Remember a text of the window."""
+        self._store.setValue(f"window/{name}", value)
 
     def bytes_of(self, name: str) -> QByteArray:
         """Return remembered bytes of the window (geometry, docks); empty if there are none."""

@@ -7,36 +7,23 @@ from weakref import WeakKeyDictionary, WeakSet
 
 from PySide6.QtCore import QObject, Signal
 
-from bobdesk.errors import InputError, TargetError
+from bobdesk.errors import InputError
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import Project
-from bobdesk.project.runs import Layout, Run
+from bobdesk.project.runs import Run
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.newest import Newest
-from bobdesk.ui.solving import line_of, solving_of
+from bobdesk.ui.solving import solving_of
 from bobdesk.ui.theme import colours
 
 if TYPE_CHECKING:
-    from bobdesk.solve.envelope import Envelope
-    from bobdesk.solve.iterates import Iterate
     from bobdesk.track.centreline3d import Centreline3D
 
 
-class RunDrawing:
-    """What is worked out of one run to be drawn: its line and its band."""
+def _drawn(run: Run) -> Centreline3D:
+    from bobdesk.project.derive_runs import run_line
 
-    def __init__(self, line: Centreline3D, band: Envelope | None) -> None:
-        self.line = line
-        self.band = band
-
-
-def _drawn(run: Run) -> RunDrawing:
-    from bobdesk.project.derive_runs import run_envelope, run_line
-
-    try:
-        band = run_envelope(run) if run.inputs.settings.method == "pgd" else None
-    except TargetError:
-        band = None
-    return RunDrawing(run_line(run), band)
+    return run_line(run)
 
 
 class ShownResult(QObject):
@@ -56,12 +43,13 @@ class ShownResult(QObject):
         super().__init__(parent)
         self._desk = desk
         self._solving = solving_of(desk)
-        self._drawings: WeakKeyDictionary[Layout, RunDrawing] = WeakKeyDictionary()
+        self._drawings: WeakKeyDictionary[Layout, Centreline3D] = WeakKeyDictionary()
         self._numbers: WeakKeyDictionary[Layout, int] = WeakKeyDictionary()
         self._next_number = 0
         self._overlaid: WeakSet[Layout] = WeakSet()
         self._baseline: Layout | None = None
-        self._scrubbed: Iterate | None = None
+        self._scrubbed: int | None = None
+        self._scrubbed_line: tuple[Layout, int, Centreline3D] | None = None
         self._follows = True
         self._live: tuple[int, Centreline3D] | None = None
         self._newest = Newest(desk.runner, self.tr("Drawing the results"), self)
@@ -90,32 +78,30 @@ class ShownResult(QObject):
         run = self.run
         if run is None:
             return None
-        if self._scrubbed is not None:
-            journey = self._solving.journey_of(run)
-            if journey is not None:
-                return line_of(journey.line, journey.inputs, self._scrubbed)
         found = self._drawings.get(run.layout)
-        return None if found is None else found.line
+        if found is None or self._scrubbed is None:
+            return found
+        return self._line_of_iterate(run, self._scrubbed)
 
-    @property
-    def band(self) -> Envelope | None:
-        """Every elevation that the targets of the shown run allow."""
-        if self.run is None or self.is_live:
-            return None
-        found = self._drawings.get(self.run.layout)
-        return None if found is None else found.band
+    def _line_of_iterate(self, run: Run, row: int) -> Centreline3D:
+        from bobdesk.project.derive_runs import iterate_line
+
+        held = self._scrubbed_line
+        if held is None or held[0] is not run.layout or held[1] != row:
+            held = (run.layout, row, iterate_line(run, row))
+            self._scrubbed_line = held
+        return held[2]
 
     @property
     def colour(self) -> str:
-        """Of the line that is drawn first."""
+        """Of the line that is drawn first; a run at work has the colour that it keeps."""
         if self.is_live or self.run is None:
-            return colours().accent
+            return _colour(self._next_number)
         return self.colour_of(self.run)
 
     def line_of_run(self, run: Run) -> Centreline3D | None:
         """Return a run's line if it is worked out already."""
-        found = self._drawings.get(run.layout)
-        return None if found is None else found.line
+        return self._drawings.get(run.layout)
 
     def colour_of(self, run: Run) -> str:
         """Return the one colour of a run."""
@@ -123,8 +109,7 @@ class ShownResult(QObject):
         if number is None:
             number, self._next_number = self._next_number, self._next_number + 1
             self._numbers[run.layout] = number
-        palette = colours().runs
-        return palette[number % len(palette)]
+        return _colour(number)
 
     def is_overlaid(self, run: Run) -> bool:
         """Return whether a run is drawn beside the shown one."""
@@ -163,15 +148,15 @@ class ShownResult(QObject):
         self._ask()
         self.changed.emit()
 
-    def scrub(self, iterate: Iterate | None) -> None:
-        """Show an iterate of the finished run in the place of its end."""
-        if iterate is not self._scrubbed:
-            self._scrubbed = iterate
+    def scrub(self, row: int | None) -> None:
+        """Show an iterate of the finished run in the place of its end: a row of its `iterates`."""
+        if row != self._scrubbed:
+            self._scrubbed = row
             self.changed.emit()
 
     @property
-    def scrubbed(self) -> Iterate | None:
-        """The iterate that is shown in the place of a run's end."""
+    def scrubbed(self) -> int | None:
+        """Row of the iterate that is shown in the place of a run's end."""
         return self._scrubbed
 
     def follow(self, on: bool) -> None:
@@ -182,7 +167,7 @@ class ShownResult(QObject):
     def _on_changed(self, before: Project, after: Project) -> None:
         if before.runs is after.runs and before.chosen_run == after.chosen_run and before.actual is after.actual:
             return
-        if before.run is not after.run:
+        if before.run is None or after.run is None or before.run.layout is not after.run.layout:
             self._scrubbed = None
         self._ask()
         self.changed.emit()
@@ -208,8 +193,10 @@ class ShownResult(QObject):
 
     def _forget(self) -> None:
         self._newest.drop()
-        self._live, self._scrubbed, self._baseline = None, None, None
+        self._live, self._scrubbed, self._scrubbed_line, self._baseline = None, None, None, None
         self._overlaid.clear()
+        self._numbers.clear()
+        self._next_number = 0
 
     def _wanted(self) -> list[Run]:
         shown, baseline = self.run, self.baseline
@@ -227,6 +214,11 @@ class ShownResult(QObject):
         for layout, drawing in found:
             self._drawings[layout] = drawing
         self.changed.emit()
+
+
+def _colour(number: int) -> str:
+    palette = colours().runs
+    return palette[number % len(palette)]
 
 
 def shown_result_of(desk: Desk) -> ShownResult:

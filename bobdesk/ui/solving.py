@@ -6,15 +6,15 @@ import threading
 import time
 from collections import deque
 from collections.abc import Callable, Generator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal
 
+from bobdesk.project.layout import Layout
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
-from bobdesk.project.runs import Layout, Run, RunInputs
+from bobdesk.project.runs import Run, RunInputs
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.runner import Job
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 # A yield for every iterate would cost the solver a third of its time.
 _YIELD_EVERY_S = 0.003
 _TELL_EVERY_S = 0.1
-# Of its time the solver loses at most this share to being shown.
+# Of its time the solver loses at most this share to pictures.
 _SHOWING_SHARE = 0.02
 # The solver waits for a picture no longer than this.
 _PATIENCE_S = 0.1
@@ -44,9 +44,24 @@ class _Control:
         # Closed while the window draws: two threads that fight for the interpreter are slower than one after the other.
         self.gate = threading.Event()
         self.gate.set()
+        self._rested = 0.0
         self.pause: Callable[[], object] = self.enough.is_set
+        self.rest: Callable[[], bool] = self.enough.is_set
         self.line: Centreline | None = None
         self.inputs: RunInputs | None = None
+
+    def asked(self) -> bool:
+        """Rest between two evaluations while the run rests or the window draws; return whether to end."""
+        began = time.perf_counter()
+        if not self.gate.is_set():
+            self.gate.wait(_PATIENCE_S)
+        end = self.rest() or self.enough.is_set()
+        self._rested += time.perf_counter() - began
+        return end
+
+    def clock(self) -> float:
+        """Return seconds that stand still while the run rests between two evaluations."""
+        return time.perf_counter() - self._rested
 
 
 def _pulled(control: _Control) -> Generator[int, None, Run]:
@@ -61,9 +76,10 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
     job = new_run(
         project,
         name=control.name,
-        clock=time.perf_counter,
+        clock=control.clock,
         record=control.record,
         enough=control.enough.is_set,
+        asked=control.asked,
         methods=watched_methods(),
     )
     due = 0.0
@@ -86,17 +102,8 @@ def _pulled(control: _Control) -> Generator[int, None, Run]:
         job.close()
 
 
-@dataclass(frozen=True, eq=False)
-class Journey:
-    """How a run came to its end: what is needed to draw any of its kept iterates."""
-
-    line: Centreline
-    inputs: RunInputs
-    record: IterateRecord
-
-
 class Solving(QObject):
-    """The run that works, those that wait, and the way that finished ones took.
+    """The run that works, those that wait, and all figures of those that have finished in this session.
 
     Signals
     -------
@@ -118,7 +125,7 @@ class Solving(QObject):
         self._job: Job | None = None
         self._control: _Control | None = None
         self._waiting: deque[_Control] = deque()
-        self._journeys: WeakKeyDictionary[Layout, Journey] = WeakKeyDictionary()
+        self._records: WeakKeyDictionary[Layout, IterateRecord] = WeakKeyDictionary()
         self._told = 0.0
         self._wait = _TELL_EVERY_S
         self._rate_from = (0.0, 0)
@@ -213,9 +220,9 @@ class Solving(QObject):
         if self._job is not None:
             self._job.stop()
 
-    def journey_of(self, run: Run) -> Journey | None:
-        """Return how a run of this session came to its end."""
-        return self._journeys.get(run.layout)
+    def record_of(self, run: Run) -> IterateRecord | None:
+        """Return the figures of every iterate of a run of this session; others have 2,000 of them at most."""
+        return self._records.get(run.layout)
 
     def newest_line(self) -> Centreline3D | None:
         """Return the 3D line of the newest iterate of the run that works."""
@@ -243,7 +250,7 @@ class Solving(QObject):
             failed=self._desk.notices.error,
             progressed=self._on_progress,
         )
-        control.pause = job.pause
+        control.pause, control.rest = job.pause, job.rest
         job.when_user_stops = self.stop
         self._job = job
         job.ended.connect(self._on_ended)
@@ -277,8 +284,7 @@ class Solving(QObject):
         control = self._control
         if control is None:
             return
-        if control.line is not None and control.inputs is not None:
-            self._journeys[run.layout] = Journey(control.line, control.inputs, control.record)
+        self._records[run.layout] = control.record
         self.advanced.emit()
         label = self.tr("Solve, {name}").format(name=run.name)
         if self._desk.session.apply(label, lambda project: edits.keep_run(project, run)):

@@ -7,15 +7,17 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFont, QKeySequence
-from PySide6.QtWidgets import QFrame, QLabel, QMenu, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QLabel, QMenu, QPushButton, QScrollArea, QVBoxLayout, QWidget
 
 from bobdesk.files.recovery_store import Recoverable
+from bobdesk.ui.guide.pages import FIRST_TRACK_PAGE
 from bobdesk.ui.recent_entries import RecentEntry, unread_entry
-from bobdesk.ui.samples import samples
+from bobdesk.ui.samples import practice_picture, samples
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.start_page_cards import BigButton, CardGrid
 from bobdesk.ui.start_page_recovery import RecoveryBanner
 from bobdesk.ui.widgets.flow_layout import FlowLayout
+from bobdesk.ui.window_parts import Part
 
 _WIDEST = 1180
 _MARGIN = 72
@@ -37,6 +39,10 @@ class StartPage(QWidget):
         Path of a recent project: to open, or to take off the list.
     recover_wanted, discard_wanted
         A `Recoverable`.
+    guide_wanted
+        Name of a page of the guide.
+    practice_wanted
+        The picture of a sample alone, to try one's hand at.
     """
 
     picture_wanted = Signal()
@@ -46,6 +52,8 @@ class StartPage(QWidget):
     forget_wanted = Signal(Path)
     recover_wanted = Signal(object)
     discard_wanted = Signal(object)
+    guide_wanted = Signal(str)
+    practice_wanted = Signal()
 
     def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -112,6 +120,11 @@ class StartPage(QWidget):
             self._banner.show()
         self._recovery_place.setContentsMargins(0, 0, 0, 18 if items else 0)
 
+    def parts(self) -> list[Part]:
+        """Return the parts of the page that one key leads to, one after the other."""
+        banner = () if self._banner is None else (self._banner,)
+        return [tuple(self._buttons), banner, (self.grid,), (self.first_track,)]
+
     def _add_title(self) -> None:
         title = QLabel("BobDesk")
         font = QFont(title.font())
@@ -148,6 +161,14 @@ class StartPage(QWidget):
         hint.setProperty("kind", "muted")
         hint.setWordWrap(True)
         self._column.addWidget(hint)
+        self._column.addSpacing(10)
+        self.first_track = QPushButton(self.tr("First track in ten minutes"))
+        self.first_track.setProperty("kind", "link")
+        self.first_track.setCursor(Qt.CursorShape.PointingHandCursor)
+        self.first_track.setToolTip(self.tr("Opens the guide: from a picture to a 3D line in a file, step by step"))
+        self.first_track.setAccessibleDescription(self.first_track.toolTip())
+        self.first_track.clicked.connect(lambda: self.guide_wanted.emit(FIRST_TRACK_PAGE))
+        self._column.addWidget(self.first_track, 0, Qt.AlignmentFlag.AlignLeft)
 
     def sample_menu(self) -> QMenu:
         """Return a menu of the samples, with the licence of each."""
@@ -160,6 +181,12 @@ class StartPage(QWidget):
                 action.setText(f"{sample.title}\t{sample.licence}")
             action.setToolTip(sample.licence or self.tr("Made for BobDesk, free to use"))
             action.triggered.connect(lambda _checked=False, name=sample.name: self.sample_wanted.emit(name))
+        if practice_picture() is not None:
+            menu.addSeparator()
+            practice = menu.addAction(self.tr("Practice picture: a plan alone, without line and result"))
+            practice.setObjectName("practice_picture")
+            practice.setToolTip(self.tr("The guide makes a track of it in ten minutes"))
+            practice.triggered.connect(lambda _checked=False: self.practice_wanted.emit())
         return menu
 
     def _show_samples(self) -> None:

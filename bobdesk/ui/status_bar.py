@@ -96,7 +96,8 @@ class StatusBar(QStatusBar):
             parts.append(shortened(project.picture.name))
             if project.picture.size_px is not None:
                 width, height = project.picture.size_px
-                parts.append(self.tr("{width} × {height} px").format(width=width, height=height))
+                number = self._desk.quantities.number
+                parts.append(self.tr("{width} × {height} px").format(width=number(width, 0), height=number(height, 0)))
             found = derive.calibration(project).value
             if found is not None and found.scale_known:
                 per_pixel = self._desk.quantities.length(found.metres_per_pixel, 4)
@@ -128,7 +129,8 @@ class StatusBar(QStatusBar):
         shown = [job for job in jobs if time.monotonic() - job.began > _SHOW_AFTER_S]
         if not jobs:
             self._timer.stop()
-        job = shown[0] if shown else None
+        # The youngest: what was begun before it may work for hours.
+        job = shown[-1] if shown else None
         if job is not self._job:
             self._job = job
             if job is not None:

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QLabel, QSizePolicy, QT
 
 from bobdesk.progress import Progress
 from bobdesk.project.project import Project
-from bobdesk.project.steps import Step, StepName, StepState, steps
+from bobdesk.project.steps import Amount, Part, Step, StepName, StepState, Told, steps
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.runner import Job
 from bobdesk.ui.theme import colours
@@ -69,8 +69,14 @@ class StepsBar(QWidget):
         self._rest.setInterval(_REST_MS)
         self._rest.timeout.connect(self._look)
         desk.session.changed.connect(self._on_changed)
+        desk.quantities.changed.connect(self._on_units)
         self._restyle()
         self._say()
+
+    @property
+    def shown(self) -> StepName:
+        """The step whose panel is shown."""
+        return self._shown
 
     def add_at_right(self, button: QToolButton, *, words: bool) -> None:
         """Add a button at the right end, such as Undo; `words` shows its text where there is room."""
@@ -172,7 +178,7 @@ class StepsBar(QWidget):
             sign, words = states[state]
             button = self._buttons[name]
             button.setText(f"{sign}{number} {titles[name]}")
-            sentence = "" if step is None else step.sentence
+            sentence = "" if step is None else step.said(self._shown_part)
             button.setToolTip(f"{titles[name]}: {words}. {sentence}".strip())
             button.setAccessibleName(self.tr("Step {number}, {title}").format(number=number, title=titles[name]))
             button.setAccessibleDescription(f"{words}. {sentence}")
@@ -189,7 +195,17 @@ class StepsBar(QWidget):
     def _say(self) -> None:
         for step in self._steps:
             if step.name == self._shown:
-                self._sentence.setText(step.sentence)
+                self._sentence.setText(step.said(self._shown_part))
+
+    def _shown_part(self, part: Part) -> str:
+        unit = self._desk.quantities
+        if isinstance(part, Amount):
+            return unit.length(part.value, part.digits) if part.is_length else unit.number(part.value, part.digits)
+        return unit.sentence(part.text) if isinstance(part, Told) else part
+
+    def _on_units(self) -> None:
+        self._restyle()
+        self._say()
 
     def _on_changed(self, _before: Project, _after: Project) -> None:
         self._rest.start()

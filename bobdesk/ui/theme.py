@@ -29,6 +29,7 @@ class Colours:
     text: str
     muted: str
     border: str
+    outline: str
     accent: str
     on_accent: str
     accent_soft: str
@@ -65,6 +66,7 @@ LIGHT = Colours(
     text="#22252b",
     muted="#5f6672",
     border="#d5dae1",
+    outline="#8a929e",
     accent="#1b6ec2",
     on_accent="#ffffff",
     accent_soft="#dcebfa",
@@ -100,6 +102,7 @@ DARK = Colours(
     text="#e6e9ee",
     muted="#a3abb8",
     border="#3a414b",
+    outline="#6b7480",
     accent="#5aa5ef",
     on_accent="#0e1116",
     accent_soft="#24405c",
@@ -126,6 +129,11 @@ DARK = Colours(
     good_soft="#1d3527",
     runs=("#5aa5ef", "#f08a55", "#62c38b", "#b98af0", "#ff7ac6", "#d8c34a", "#3fc1d6", "#a3abb8"),
 )
+
+
+_FIELDS = ("QLineEdit", "QAbstractSpinBox", "QComboBox")
+# By how much the style darkens the window's colour for an outline.
+_DARKER = 1.4
 
 
 class _InForce:
@@ -156,6 +164,8 @@ def apply_theme(application: QApplication, theme: Theme) -> None:
     _InForce.colours = DARK if _is_dark(application, theme) else LIGHT
     application.setStyle("Fusion")
     application.setPalette(_palette(_InForce.colours))
+    for name in _FIELDS:
+        application.setPalette(_field_palette(_InForce.colours), name)  # type: ignore[arg-type]
     application.setStyleSheet(_style_sheet(_InForce.colours))
 
 
@@ -216,6 +226,20 @@ def _palette(of: Colours) -> QPalette:
     faint.setAlpha(150)
     for one in (role.WindowText, role.Text, role.ButtonText):
         palette.setColor(QPalette.ColorGroup.Disabled, one, faint)
+    return palette
+
+
+def _field_palette(of: Colours) -> QPalette:
+    """Return a palette with which the style draws fields in an outline that can be seen.
+
+    It makes the outline from the window's colour, darker, which nothing else of a field is drawn with; on a dark
+    window that is no outline at all.
+    """
+    palette = _palette(of)
+    outline = QColor(of.outline)
+    parts = (outline.red(), outline.green(), outline.blue())
+    drawn_from = QColor(*(min(255, round(part * _DARKER)) for part in parts))
+    palette.setColor(QPalette.ColorRole.Window, drawn_from)
     return palette
 
 

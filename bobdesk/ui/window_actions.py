@@ -10,15 +10,18 @@ from bobdesk.ui.actions.action import MenuName
 from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.actions.edit_actions import EditActions
 from bobdesk.ui.actions.file_actions import FileActions
+from bobdesk.ui.actions.guide_actions import GuideActions
 from bobdesk.ui.actions.help_actions import HelpActions
 from bobdesk.ui.actions.line_actions import LineActions
 from bobdesk.ui.actions.scale_actions import ScaleActions
 from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.actions.solve_actions import SolveActions
+from bobdesk.ui.actions.study_actions import StudyActions
 from bobdesk.ui.actions.tool_actions import ToolActions
 from bobdesk.ui.actions.view_actions import ViewActions
 from bobdesk.ui.actions.window_actions import WindowActions
 from bobdesk.ui.typing_undo import TypingUndo
+from bobdesk.ui.updates.updates import updates_of
 
 if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
@@ -47,8 +50,10 @@ def make_actions(window: MainWindow) -> ActionSet:
         *ScaleActions(desk, window).table(),
         *SegmentActions(desk, window).table(),
         *SolveActions(desk, window, window.views, window).table(),
+        *StudyActions(desk, window.beside, window).table(),
         *WindowActions(window, window).table(),
-        *HelpActions(lambda: window.actions_by_name, desk.settings, window).table(),
+        *GuideActions(window.guide, window.plans, window).table(),
+        *HelpActions(lambda: window.actions_by_name, desk.settings, window, updates_of(desk)).table(),
     )
     made = ActionSet(table, desk.settings, window, view)
     titles: tuple[tuple[MenuName, str], ...] = (
@@ -64,5 +69,6 @@ def make_actions(window: MainWindow) -> ActionSet:
     )
     for name, title in titles:
         made.add_menu(window.menuBar(), name, title)
+    window.start.page.practice_wanted.connect(made["practice_picture"].trigger)
     view.context_menu_maker = lambda: made.context_menu(view)
     return made

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QSize, Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QDockWidget, QSizePolicy, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QDockWidget, QSizePolicy, QToolBar, QToolButton
 
 from bobdesk.project.steps import StepName
 from bobdesk.ui.settings import Settings
-from bobdesk.ui.steps_bar import StepsBar
+from bobdesk.ui.window_parts import Part
 
 if TYPE_CHECKING:
     from bobdesk.ui.main_window import MainWindow
@@ -45,6 +45,9 @@ class WindowLayout:
         for row in window.actions_by_name.table:
             if row.tool_bar:
                 self._tools.addAction(window.actions_by_name[row.name])
+                # A tool bar's buttons take no keyboard of their own accord.
+                button = self._tools.widgetForAction(window.actions_by_name[row.name])
+                button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.panel_dock = QDockWidget(window.tr("Panel of the step"), window)
         self.panel_dock.setObjectName("panel_dock")
         self.panel_dock.setWidget(window.panels.stack)
@@ -123,18 +126,17 @@ class WindowLayout:
             self._window.actions_by_name[name].setText(words)
             self._window.actions_by_name[name].setIconText(_short(words.replace("&", "")))
 
-    def next_part(self, steps: StepsBar, view: QWidget, panel: QWidget) -> None:
-        """Move the focus from steps to tools, plan, strips and panel, and round again."""
-        focus = QApplication.focusWidget()
-        strips = self.strips_dock.widget()
-        parts: list[QWidget] = [steps, self._tools, view, *([] if strips is None else [strips]), panel]
-        at = next((index for index, part in enumerate(parts) if focus and part.isAncestorOf(focus)), None)
-        if focus in parts:
-            at = parts.index(focus)
-        for offset in range(1, len(parts) + 1):
-            part = parts[((-1 if at is None else at) + offset) % len(parts)]
-            if part.isVisible() and _focus_into(part, steps):
-                return
+    def parts(self) -> list[Part]:
+        """Return the parts of the window with a document, in the order in which one key leads to them."""
+        window, middle, strips = self._window, self._window.views.currentWidget(), self.strips_dock.widget()
+        return [
+            (window.notice_bar,),
+            (window.steps_bar,),
+            (self._tools,),
+            () if middle is None else (middle,),
+            () if strips is None else (strips,),
+            (window.panels.stack,),
+        ]
 
     def _undo_button(self, name: str) -> QToolButton:
         button = QToolButton(self._window)
@@ -146,19 +148,6 @@ class WindowLayout:
     def _first_size(self) -> QSize:
         screen = QGuiApplication.primaryScreen()
         return _FIRST_SIZE if screen is None else _FIRST_SIZE.boundedTo(screen.availableSize())
-
-
-def _focus_into(part: QWidget, steps: StepsBar) -> bool:
-    if part is steps:
-        steps.take_focus()
-        return True
-    candidates = [part, *part.findChildren(QWidget)]
-    for widget in candidates:
-        policy = widget.focusPolicy()
-        if policy & Qt.FocusPolicy.TabFocus and widget.isVisible() and widget.isEnabled():
-            widget.setFocus(Qt.FocusReason.ShortcutFocusReason)
-            return True
-    return False
 
 
 def _in_sentence(label: str) -> str:

@@ -82,12 +82,14 @@ class WindowPanels:
 
     def strips(self) -> QWidget:
         """Return the strips by station; the plots' library is loaded with them, not before."""
+        from bobdesk.ui.solve.open_strips import OpenStrips
         from bobdesk.ui.solve.result_strips import ResultStrips
         from bobdesk.ui.strips.strip_stack import StripStack
 
         made = self._strips = StripStack(self._desk, self.stack)
         made.set_segment_actions([self._actions()[name] for name in OF_SEGMENTS])
         ResultStrips(self._desk, made)
+        OpenStrips(self._desk, made)
         return made
 
     def _take_tool(self, name: str) -> None:

@@ -27,7 +27,7 @@ def band_rows() -> list[Row]:
     jobs = {
         "band, limits alone": lambda: envelope(grid, anchors, targets),
         "band, change of gradient bounded": lambda: finish(smooth_envelope(anchors, targets, largest_change=0.002)),
-        "where one more elevation helps": lambda: next_elevation(anchors, targets),
+        "where one more elevation helps": lambda: finish(next_elevation(anchors, targets)),
         "200 profiles at random": lambda: finish(sample_profiles(anchors, targets)),
         "200 smooth profiles at random": lambda: finish(sample_profiles(anchors, targets, largest_change=0.002)),
     }
@@ -48,7 +48,7 @@ def advice_rows() -> list[Row]:
         for _ in range(3):
             line = run_pgd(centreline, segments, targets).line
             anchors = anchors_of(targets, centreline.length)
-            advice = next_elevation(anchors, targets, estimate=(line.stations, line.elevations))
+            advice = finish(next_elevation(anchors, targets, estimate=(line.stations, line.elevations)))
             at = advice.station / centreline.length * true.stations[-1]
             item = KnownElevation(advice.station, float(np.interp(at, true.stations, true.elevations)))
             targets = replace(targets, known=(*targets.known, item))
@@ -57,10 +57,15 @@ def advice_rows() -> list[Row]:
         advised = true.rms_percent(run_pgd(centreline, segments, targets).line)
         none = true.rms_percent(run_pgd(centreline, segments, true.targets()).line)
         found.append({"line": name, "none": none, "3 evenly": even, "3 advised": advised, "at m": stations})
-    ratio = float(np.exp(np.mean([np.log(row["3 advised"] / row["3 evenly"]) for row in found])))
-    better = sum(row["3 advised"] < 0.999 * row["3 evenly"] for row in found)
-    worse = sum(row["3 advised"] > 1.001 * row["3 evenly"] for row in found)
-    return [*found, {"line": f"{better} better, {worse} worse", "3 advised": ratio, "at m": "mean ratio"}]
+    real = len(REAL_LINES)
+    return [*found[:real], _summed("real", found[:real]), *found[real:], _summed("made", found[real:])]
+
+
+def _summed(kind: str, rows: list[Row]) -> Row:
+    ratio = float(np.exp(np.mean([np.log(row["3 advised"] / row["3 evenly"]) for row in rows])))
+    better = sum(row["3 advised"] < 0.999 * row["3 evenly"] for row in rows)
+    worse = sum(row["3 advised"] > 1.001 * row["3 evenly"] for row in rows)
+    return {"line": f"{kind}: {better} better, {worse} worse", "3 advised": ratio, "at m": "mean ratio"}
 
 
 def coverage_rows() -> list[Row]:

@@ -7,7 +7,9 @@ import sys
 import time
 from pathlib import Path
 
+import distributed
 import pandas as pd
+import psutil
 import pytest
 
 from bobdesk.files.study_journal import StudyJournal
@@ -44,6 +46,16 @@ def test_every_combination_is_a_row_in_order(finished):
     # The sample has surveyed elevations.
     assert rows.z_rms_m.astype(float).between(0.1, 20).all()
     assert not finished.path("t.csv.unfinished").exists()
+
+
+def test_figures_below_zero_are_numbers_in_the_table(call):
+    table = call.path("t.csv")
+    targets = ("--length", "730", "--drop", "36")
+    said = call("study", call.plan, *targets, "--methods", "pgd,published", "--workers", 1, "-o", table)
+    assert said.status == 0, said.err
+    rows = pd.read_csv(table)
+    assert (rows.length_percent < -1).all()
+    assert "-0.000000" not in table.read_text()
 
 
 def test_sets_of_known_elevations_are_rows_of_methods_that_hold_them(call):
@@ -144,17 +156,22 @@ def test_the_picture_of_a_study(call):
 
 
 def test_a_cluster_that_does_not_answer_is_one_sentence(call):
-    pytest.importorskip("distributed")
     arguments = ("study", call.plan, *TARGETS, "-o", call.path("t.csv"), "--dask", "nonsense://nowhere")
     assert "no Dask scheduler answers" in call.refused(*arguments, status=3)
 
 
+# What the cluster itself warns of at its end is its own affair.
 @pytest.mark.filterwarnings("ignore")
-def test_a_local_cluster_of_two_workers_gives_the_same_table(finished, call):
-    distributed = pytest.importorskip("distributed")
+def test_a_local_cluster_of_two_workers_gives_the_same_table(finished, call, monkeypatch):
+    # Its workers are processes of their own, which find the package where this one does.
+    monkeypatch.setenv("PYTHONPATH", str(ROOT))
     with distributed.LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=False, dashboard_address=None, scheduler_port=0
-    ) as cluster:
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, scheduler_port=0,
+        local_directory=call.path("cluster"),
+    ) as cluster:  # fmt: skip
+        with distributed.Client(cluster, set_as_default=False) as client:
+            pids = client.run(os.getpid)
+        assert len({os.getpid(), *pids.values()}) == 3
         said = call("study", call.plan, *TARGETS, *STUDY, "-o", call.path("d.csv"), "--dask", cluster.scheduler_address)
     assert said.status == 0, said.err
     assert call.path("d.csv").read_bytes() == finished.path("t.csv").read_bytes()
@@ -172,7 +189,37 @@ def test_closing_a_study_starts_no_other_cell(tmp_path):
             return self.futures[-1]
 
     executor = Slow()
-    job = run_study([None] * 3, executor)
+    job = run_study([None] * 5, executor, ahead=3)
+    next(job)
     next(job)
     job.close()
-    assert all(future.cancelled() for future in executor.futures)
+    assert [future.cancelled() for future in executor.futures] == [True] * 3
+
+
+def test_a_plan_that_has_not_so_many_segments_is_a_row_that_says_so(call):
+    said = call("study", call.plan, *TARGETS, "--counts", "400,6-8:2", "--workers", 1, "-o", call.path("t.csv"))
+    assert said.status == 0, said.err
+    rows = pd.read_csv(call.path("t.csv"), keep_default_na=False)
+    assert list(rows.wanted_segments) == [400, 6, 8]
+    assert list(rows.status == "failed") == [True, False, False]
+    assert "400 segments cannot be told apart" in rows.message[0]
+    assert "cannot be told apart" in call.refused(
+        "study", call.plan, *TARGETS, "--counts", "400", "-o", call.path("u.csv"), status=3
+    )
+
+
+def test_workers_end_with_the_command_however_it_ends(call):
+    output = call.path("long.csv")
+    arguments = [sys.executable, "-m", "bobdesk", "study", str(call.plan), *TARGETS, "--counts", "5-15"]
+    arguments += ["--methods", "de", "--workers", "2", "-o", str(output)]
+    process = subprocess.Popen(arguments, env={**os.environ, "PYTHONPATH": str(ROOT)}, stderr=subprocess.DEVNULL)
+    journal = output.with_name("long.csv.unfinished")
+    deadline = time.monotonic() + 60
+    while not journal.exists() and time.monotonic() < deadline:
+        time.sleep(0.02)
+    workers = [each for each in psutil.Process(process.pid).children() if "spawn_main" in " ".join(each.cmdline())]
+    assert len(workers) == 2
+    process.kill()
+    process.wait()
+    gone, alive = psutil.wait_procs(workers, timeout=10)
+    assert not alive, gone

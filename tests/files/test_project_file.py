@@ -22,7 +22,7 @@ from bobdesk.files.project_file import load_project, save_project
 from bobdesk.files.project_schema import VERSION
 from bobdesk.plan.polyline import Polyline
 from bobdesk.project import edits
-from bobdesk.project.derive_runs import run_line, why_out_of_date
+from bobdesk.project.derive_runs import iterate_line, run_line, why_out_of_date
 from bobdesk.project.project import Picture, Project, SourceLine
 from tests.project.edit_strategies import EDITS
 from tests.project.made_projects import bends, coordinates_project, full_project, ready_project
@@ -65,9 +65,27 @@ def test_a_loaded_run_is_up_to_date_and_draws_the_same_line(tmp_path: Path) -> N
     assert why_out_of_date(loaded, loaded.run) is None
     assert why_out_of_date(loaded, loaded.runs[0]) == "the segments changed since this run"
     for old, new in zip(project.runs, loaded.runs, strict=True):
+        np.testing.assert_array_equal(iterate_line(old, 3).points, iterate_line(new, 3).points)
         np.testing.assert_array_equal(run_line(old).points, run_line(new).points)
     # Both were solved on one plan, which is stored and loaded once.
     assert loaded.runs[0].inputs.polyline is loaded.runs[1].inputs.polyline
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value"),
+    [(0, 1, 7.0), (0, 1, 0.5), (1, 0, 0.0), (0, 2, 0.0), (0, 2, -1.0), (0, 4, np.nan), (1, 5, np.inf)],
+)
+def test_iterates_that_do_not_fit_together_are_refused(row: int, column: int, value: float) -> None:
+    project = full_project()
+    run = project.runs[0]
+    assert run.iterates is not None
+    table = run.iterates.table.copy()
+    table[row, column] = value
+    encoded = encode_project(project)
+    name = json.loads(encoded.document)["runs"][0]["iterates"]["table"]
+    blobs = encoded.blobs | {name: npy_bytes(table)}
+    with pytest.raises(InputError, match="the iterates of a run do not fit together"):
+        decode_project(encoded.document, lambda wanted: blobs[wanted])
 
 
 def test_the_file_is_what_the_design_says(tmp_path: Path) -> None:
@@ -176,7 +194,7 @@ def test_a_folder_that_is_closed_or_gone_is_a_sentence(tmp_path: Path, monkeypat
     def refused(*_: object, **__: object) -> None:
         raise PermissionError(13, "Permission denied")
 
-    monkeypatch.setattr(atomic.tempfile, "mkstemp", refused)
+    monkeypatch.setattr(atomic, "new_file", refused)
     with pytest.raises(InputError, match="cannot be written: permission denied"):
         save_project(Project(), tmp_path / "a.bobdesk")
     assert list(tmp_path.iterdir()) == []

@@ -25,6 +25,8 @@ from bobdesk.project.project import (
 )
 from bobdesk.solve.settings import PgdSettings, SolverSettings, Weights
 from bobdesk.solve.targets import KnownElevation
+from bobdesk.track.design_rules import QUANTITIES, Rule
+from bobdesk.track.sled import Sled
 from tests.project.made_projects import bends, full_project, traced
 
 Draw = Callable[[st.SearchStrategy], object]  # type: ignore[type-arg]
@@ -33,6 +35,10 @@ metres = st.floats(-1e6, 1e6)
 positive = st.floats(1e-6, 1e5)
 words = st.text(max_size=12)
 index = st.integers(0, 5)
+limits = st.none() | st.floats(-10, 2000)
+_rules = st.builds(
+    Rule, words, st.sampled_from(QUANTITIES), limits, limits, st.floats(-1, 500), limits, words, st.booleans()
+)
 places = st.just((None, None)) | st.tuples(st.floats(-180, 180), st.floats(-89, 89))
 
 
@@ -156,12 +162,20 @@ EDITS: dict[str, Callable[[Project, Draw], Project]] = {
     "name_target_set": lambda p, d: edits.name_target_set(p, d(words)),
     "remove_target_set": lambda p, d: edits.remove_target_set(p, d(index)),
     "set_limits": lambda p, d: edits.set_limits(p, d(st.floats(-2, 2)), d(st.floats(-2, 2))),
+    "set_gradient_change": lambda p, d: edits.set_gradient_change(p, d(st.none() | st.floats(-1, 2))),
+    "set_plan_error": lambda p, d: edits.set_plan_error(p, d(st.none() | st.floats(-1, 1))),
+    "set_rules": lambda p, d: edits.set_rules(p, d(st.none() | st.lists(_rules, max_size=3))),
+    "add_rule": lambda p, d: edits.add_rule(p, d(_rules), usual=(Rule("usual", "length"),)),
+    "change_rule": lambda p, d: edits.change_rule(p, d(index), d(_rules), usual=(Rule("usual", "length"),)),
+    "remove_rule": lambda p, d: edits.remove_rule(p, d(index), usual=(Rule("usual", "length"),)),
+    "set_sled": lambda p, d: edits.set_sled(p, Sled(mass=d(st.floats(-1, 2000)), friction=d(st.floats(0, 0.1)))),
     "add_known_elevation": lambda p, d: edits.add_known_elevation(p, _known(d)),
     "change_known_elevation": lambda p, d: edits.change_known_elevation(p, d(index), _known(d)),
     "remove_known_elevation": lambda p, d: edits.remove_known_elevation(p, d(index)),
     "set_known_elevations": lambda p, d: edits.set_known_elevations(p, [_known(d), _known(d)]),
     "set_solver": lambda p, d: edits.set_solver(p, _solver(d)),
     "keep_run": lambda p, d: edits.keep_run(p, full_project().runs[d(st.integers(0, 1))]),
+    "take_over_run": lambda p, d: edits.take_over_run(p, full_project().runs[d(st.integers(0, 1))]),
     "choose_export": lambda p, d: edits.choose_export(
         p,
         ExportChoice(

@@ -18,6 +18,8 @@ class Answers(Questions):
         self.save_path = None
         self.open_path = None
         self.plan_answer = "cancel"
+        self.stop_answer = False
+        self.open_paths = []
 
     def save_changes(self, name):
         self.asked.append("save changes")
@@ -42,6 +44,14 @@ class Answers(Questions):
     def file_to_open(self, purpose, title, filters):
         self.asked.append("which")
         return self.open_path
+
+    def stop_work(self, text, consequence):
+        self.asked.append("stop")
+        return self.stop_answer
+
+    def files_to_open(self, purpose, title, filters):
+        self.asked.append("which ones")
+        return self.open_paths
 
     def where_to_put_plan(self, name, *, is_meant=True):
         self.asked.append("where to put the plan")

@@ -53,6 +53,15 @@ def test_the_newest_is_first_and_the_same_sentence_is_shown_once(bar: NoticeBar,
     assert sentences(bar) == ["One.", "Two."]
 
 
+def test_another_document_takes_away_what_was_said_of_the_one_before(bar: NoticeBar, notices: Notices) -> None:
+    notices.error("It cannot be solved.")
+    notices.warn("It is short.")
+    notices.note("It was saved.")
+    notices.offer("There is a newer version.")
+    bar.leave_document()
+    assert sentences(bar) == ["There is a newer version."]
+
+
 def test_at_most_four_and_notes_go_first(bar: NoticeBar, notices: Notices) -> None:
     notices.error("An error.")
     notices.note("A note.")

@@ -20,6 +20,7 @@ from bobdesk.ui.samples import samples
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.start_page import StartPage
 from bobdesk.ui.when import Moments
+from bobdesk.ui.window_parts import go_to_part
 
 LEFT = Qt.MouseButton.LeftButton
 
@@ -99,13 +100,34 @@ def test_a_narrow_window_has_fewer_columns(page: StartPage) -> None:
     assert (wide, len({card.x() for card in page.grid.cards})) == (3, 1)
 
 
+def links_of(page: StartPage) -> list[QPushButton]:
+    return [link for link in page.findChildren(QPushButton) if link.isVisible() and link is not page.first_track]
+
+
+def test_the_first_track_is_a_link_to_the_guide(qtbot: QtBot, page: StartPage) -> None:
+    with qtbot.waitSignal(page.guide_wanted) as wanted:
+        qtbot.mouseClick(page.first_track, LEFT)
+    assert wanted.args == ["first-track.md"]
+
+
+def test_one_key_leads_through_the_parts_of_the_page(qtbot: QtBot, page: StartPage, tmp_path: Path) -> None:
+    page.show_recoverable([Recoverable(tmp_path / "1", "Igls", None, time.time(), "")])
+    qtbot.waitUntil(lambda: len(links_of(page)) == 2)
+    page.sample_button.setFocus()
+    for one in (links_of(page)[0], page.grid.cards[0], page.first_track, page.picture_button):
+        go_to_part(page.parts(), 1)
+        assert one.hasFocus()
+    go_to_part(page.parts(), -1)
+    assert page.first_track.hasFocus()
+
+
 def test_recovering_and_discarding(qtbot: QtBot, page: StartPage, tmp_path: Path) -> None:
     items = [
         Recoverable(tmp_path / "1", "Alten<b>erg", None, time.time(), "Move boundary"),
         Recoverable(tmp_path / "2", "", None, time.time() - 1e6, ""),
     ]
     page.show_recoverable(items)
-    links = [link for link in page.findChildren(QPushButton) if link.isVisible()]
+    links = links_of(page)
     assert [link.text() for link in links] == ["Recover", "Discard", "Recover", "Discard"]
     assert any(
         "Alten&lt;b&gt;erg" in label.text() and "Move boundary" in label.text() for label in page.findChildren(QLabel)
@@ -122,12 +144,16 @@ def test_recovering_and_discarding(qtbot: QtBot, page: StartPage, tmp_path: Path
         qtbot.mouseClick(yes, LEFT)
     assert wanted.args == [items[0]]
     page.show_recoverable([])
-    assert not [link for link in page.findChildren(QPushButton) if link.isVisible()]
+    assert not links_of(page)
 
 
 def test_every_sample_has_a_title_and_is_wanted_by_its_folder(qtbot: QtBot, page: StartPage) -> None:
     menu = page.sample_menu()
-    assert {action.objectName() for action in menu.actions()} == {sample.name for sample in samples()}
+    *finished, separator, practice = menu.actions()
+    assert {action.objectName() for action in finished} == {sample.name for sample in samples()}
+    assert separator.isSeparator()
+    with qtbot.waitSignal(page.practice_wanted):
+        practice.trigger()
     assert any("MIT" in action.text() for action in menu.actions())
     with qtbot.waitSignal(page.sample_wanted) as wanted:
         menu.actions()[0].trigger()

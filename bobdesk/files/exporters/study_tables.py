@@ -1,4 +1,4 @@
-"""Tables of what the data leave open: the error budget, its bands, and the methods side by side."""
+"""Tables of what the data leave open: the error budget, its bands, the methods side by side, studies."""
 
 from __future__ import annotations
 
@@ -9,15 +9,18 @@ import numpy as np
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.track.error_budget import ErrorBudget
 from bobdesk.track.method_comparison import MethodRow
+from bobdesk.track.study import STUDY_COLUMNS, percent_text
 
 _FLAVOUR = FLAVOURS["default"]
+_WORDS = ("plan", "method", "known", "status", "message")
 
 
-def budget_table(budget: ErrorBudget) -> bytes:
+def budget_table(budget: ErrorBudget, *, flavour: str = "default") -> bytes:
     """Return one row a source: half widths of 95 % bands."""
+    written = FLAVOURS[flavour]
     rows = [
         [
-            text_cell(share.source, _FLAVOUR),
+            text_cell(share.source, written),
             f"{share.plan_length:.4f}",
             f"{share.scale:.6f}",
             f"{share.elevation:.4f}",
@@ -25,7 +28,7 @@ def budget_table(budget: ErrorBudget) -> bytes:
         ]
         for share in budget.shares
     ]
-    return to_csv(("source", "plan_length_m", "scale", "elevation_rms_m", "gradient_rms"), rows, _FLAVOUR)
+    return to_csv(("source", "plan_length_m", "scale", "elevation_rms_m", "gradient_rms"), rows, written)
 
 
 def error_band_table(budget: ErrorBudget) -> bytes:
@@ -59,6 +62,18 @@ def methods_table(rows: Sequence[MethodRow]) -> bytes:
     return to_csv(header, [_method_cells(row) for row in rows], _FLAVOUR)
 
 
+def study_table(rows: Sequence[Sequence[str]]) -> bytes:
+    """Return the rows of a study, one a cell."""
+    return to_csv(STUDY_COLUMNS, [_study_cells(row) for row in rows], _FLAVOUR)
+
+
+def _study_cells(row: Sequence[str]) -> list[str]:
+    # Figures may be negative: guarded against formulas they would be text to a spreadsheet.
+    return [
+        text_cell(cell, _FLAVOUR) if name in _WORDS else cell for name, cell in zip(STUDY_COLUMNS, row, strict=True)
+    ]
+
+
 def _method_cells(row: MethodRow) -> list[str]:
     figures = [""] * 7
     if row.found is not None and row.off is not None:
@@ -67,10 +82,10 @@ def _method_cells(row: MethodRow) -> list[str]:
             f"{row.objective:.6g}",
             f"{row.found.length:.4f}",
             f"{row.found.drop:.4f}",
-            f"{row.off.length:.6f}",
-            f"{row.off.drop:.6f}",
-            "" if mean is None else f"{mean:.6f}",
+            percent_text(row.off.length),
+            percent_text(row.off.drop),
+            "" if mean is None else percent_text(mean),
             f"{row.found.max_gradient:.6f}",
         ]
     effort = [str(row.iterations), str(row.evaluations), f"{row.seconds:.4f}"]
-    return [text_cell(row.method.key, _FLAVOUR), *figures, *effort, text_cell(row.message, _FLAVOUR)]
+    return [text_cell(row.method, _FLAVOUR), *figures, *effort, text_cell(row.message, _FLAVOUR)]

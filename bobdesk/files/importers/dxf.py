@@ -14,10 +14,11 @@ import numpy as np
 from bobdesk.errors import InputError
 from bobdesk.files.importers.drawn_paths import line_from_paths
 from bobdesk.files.importers.imported_line import ImportedLine
+from bobdesk.files.process_start import START_S
 
 WORKER_ARGUMENT = "--dxf-worker"
 _LIMIT_BYTES = 200_000_000
-_TIME_LIMIT_S = 8.0
+_TIME_LIMIT_S = 8.0 + START_S
 
 
 def read_dxf(data: bytes, *, name: str) -> ImportedLine:
@@ -37,7 +38,13 @@ def read_dxf(data: bytes, *, name: str) -> ImportedLine:
         raise InputError(f"{name}: the drawing is {len(data) / 1e6:,.0f} MB large; the most that is read is 200 MB")
     try:
         ended = subprocess.run(
-            _worker_command(), input=data, capture_output=True, timeout=_TIME_LIMIT_S, check=False, env=_environment()
+            _worker_command(),
+            input=data,
+            capture_output=True,
+            timeout=_TIME_LIMIT_S,
+            check=False,
+            env=_environment(),
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )
     except subprocess.TimeoutExpired:
         raise InputError(

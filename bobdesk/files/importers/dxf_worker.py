@@ -12,10 +12,14 @@ import io
 import json
 import os
 import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 
 from bobdesk.errors import InputError
+from bobdesk.files.worker_streams import worker_streams
 
 _MEMORY_BYTES = 900 * 2**20
 _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
@@ -23,12 +27,12 @@ _LONGEST_SECONDS = 30  # of CPU, should nobody be left to end this process
 
 def main() -> int:
     """Answer one request; whatever ezdxf raises ends the process with a status of 1."""
-    answer = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what libraries print must not get into the answer
+    request, answer = worker_streams()
     _limit_this_process()
-    from bobdesk.files.importers.dxf_entities import dxf_paths
+    with _no_fonts():
+        from bobdesk.files.importers.dxf_entities import dxf_paths
 
-    data = sys.stdin.buffer.read()
+    data = request.read()
     try:
         paths, notes = dxf_paths(data)
     except InputError as error:
@@ -42,6 +46,21 @@ def main() -> int:
     answer.write(body.getbuffer())
     answer.close()
     return 0
+
+
+@contextlib.contextmanager
+def _no_fonts() -> Iterator[None]:
+    """Tell ezdxf that there are no fonts, which lines do not need.
+
+    When it is loaded, it would look into every font of the computer, which takes longer than a drawing may where
+    there are thousands, and would leave what it found in the user's home.
+    """
+    with tempfile.TemporaryDirectory(prefix="bobdesk-", ignore_cleanup_errors=True) as folder:
+        cache = Path(folder) / "ezdxf" / "font_manager_cache.json"
+        cache.parent.mkdir()
+        cache.write_text('{"version": 0, "font-faces": []}', encoding="ascii")
+        os.environ["XDG_CACHE_HOME"] = folder
+        yield
 
 
 def _limit_this_process() -> None:

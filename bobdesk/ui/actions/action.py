@@ -8,6 +8,7 @@ from typing import Literal
 
 MenuName = Literal["File", "Edit", "View", "Plan", "Track", "Segments", "Solve", "Window", "Help"]
 Scope = Literal["window", "canvas"]
+Role = Literal["none", "about", "preferences", "quit", "of the program"]
 
 
 def always() -> bool:
@@ -45,6 +46,8 @@ class Action:
         Also in the context menu of the plan view.
     tool_bar
         Also in the tool bar at the left.
+    role
+        What it is for macOS, which moves such actions to the menu that bears the program's name.
     """
 
     name: str
@@ -60,6 +63,7 @@ class Action:
     checked: Callable[[], bool] | None = None
     context: bool = False
     tool_bar: bool = False
+    role: Role = "none"
 
     @property
     def plain_text(self) -> str:

@@ -8,9 +8,18 @@ from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QMenu, QMenuBar, QWidget
 
-from bobdesk.ui.actions.action import Action, MenuName
+from bobdesk.ui.actions.action import Action, MenuName, Role
 from bobdesk.ui.icons import icon
 from bobdesk.ui.settings import Settings
+
+# Told of every action: Qt would guess from the English words of a text, and take "Settings of …" for the preferences.
+_ROLES: dict[Role, QAction.MenuRole] = {
+    "none": QAction.MenuRole.NoRole,
+    "about": QAction.MenuRole.AboutRole,
+    "preferences": QAction.MenuRole.PreferencesRole,
+    "quit": QAction.MenuRole.QuitRole,
+    "of the program": QAction.MenuRole.ApplicationSpecificRole,
+}
 
 
 class ActionSet(QObject):
@@ -108,6 +117,7 @@ class ActionSet(QObject):
     def _make(self, row: Action, window: QWidget, canvas: QWidget) -> QAction:
         made = QAction(row.text, self)
         made.setObjectName(row.name)
+        made.setMenuRole(_ROLES[row.role])
         if row.checked is None:
             made.triggered.connect(lambda _checked, row=row: self._do(row))
         else:

@@ -121,6 +121,7 @@ class FileActions(QObject):
                 self.tr("Leave BobDesk"),
                 "File",
                 "end",
+                role="quit",
             ),
         )
 

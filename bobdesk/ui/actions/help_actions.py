@@ -11,10 +11,11 @@ from bobdesk.ui.actions.action import Action
 from bobdesk.ui.actions.action_set import ActionSet
 from bobdesk.ui.dialogs.command_palette import PALETTE_ACTION
 from bobdesk.ui.settings import Settings
+from bobdesk.ui.updates.updates import Updates
 
 
 class HelpActions(QObject):
-    """Shortcuts, command palette, preferences, about.
+    """Shortcuts, command palette, preferences, newer versions, about.
 
     Parameters
     ----------
@@ -22,10 +23,15 @@ class HelpActions(QObject):
         Returns the window's actions, which are made from this table, too, and so do not exist yet.
     window
         Over which the dialogs stand.
+    updates
+        None where there is nobody to ask for newer versions: then that is not offered.
     """
 
-    def __init__(self, actions: Callable[[], ActionSet], settings: Settings, window: QWidget) -> None:
+    def __init__(
+        self, actions: Callable[[], ActionSet], settings: Settings, window: QWidget, updates: Updates | None = None
+    ) -> None:
         super().__init__(window)
+        self._updates = updates
         self._actions, self._settings, self._window = actions, settings, window
 
     def table(self) -> tuple[Action, ...]:
@@ -40,12 +46,13 @@ class HelpActions(QObject):
                 self.tr("Units, language, theme and saving"),
                 menu="Edit",
                 group="preferences",
+                role="preferences",
             ),
             Action(
                 "shortcuts",
-                self.tr("&Shortcuts…"),
+                self.tr("&Keyboard shortcuts…"),
                 self.show_shortcuts,
-                ("F1", "?"),
+                ("?",),
                 "keyboard",
                 self.tr("Every action and its key, to look up and to change"),
                 menu="Help",
@@ -61,6 +68,7 @@ class HelpActions(QObject):
                 menu="Help",
                 group="keys",
             ),
+            *self._about_updates(),
             Action(
                 "about",
                 self.tr("&About BobDesk…"),
@@ -70,6 +78,24 @@ class HelpActions(QObject):
                 self.tr("Versions and licences"),
                 menu="Help",
                 group="about",
+                role="about",
+            ),
+        )
+
+    def _about_updates(self) -> tuple[Action, ...]:
+        if self._updates is None:
+            return ()
+        return (
+            Action(
+                "check_for_updates",
+                self.tr("Check for &updates…"),
+                self._updates.ask,
+                (),
+                "info",
+                self.tr("Ask whether there is a newer version; nothing is fetched or installed"),
+                menu="Help",
+                group="about",
+                role="of the program",
             ),
         )
 
@@ -77,7 +103,7 @@ class HelpActions(QObject):
         """Open the preferences."""
         from bobdesk.ui.dialogs.preferences import PreferencesDialog
 
-        self._open(PreferencesDialog(self._settings, self._window))
+        self._open(PreferencesDialog(self._settings, self._window, offers_updates=self._updates is not None))
 
     def show_shortcuts(self) -> None:
         """Open the shortcut sheet."""

@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.view import PlanView
+from bobdesk.ui.solve.open_data import open_data_of
 
 _STEP = 1.25
 
@@ -23,7 +24,7 @@ class ViewActions(QObject):
 
     def table(self) -> tuple[Action, ...]:
         """Return the rows."""
-        return (*self._zooms(), *self._layers(), self._loupe())
+        return (*self._zooms(), *self._layers(), *self._open_data(), self._loupe())
 
     def _zooms(self) -> tuple[Action, ...]:
         view, there = self._view, self._is_open
@@ -96,6 +97,7 @@ class ViewActions(QObject):
             "segments": self.tr("&Segments"),
             "actual_track": self.tr("&Actual track"),
             "stations": self.tr("S&tations"),
+            "elevations": self.tr("&Known elevations and selected stretch"),
             "control_points": self.tr("Control &points and distances"),
             "flags": self.tr("Start and &finish"),
             "furniture": self.tr("Scale &bar and north"),
@@ -114,6 +116,38 @@ class ViewActions(QObject):
                 checked=partial(self._view.is_layer_shown, name),
             )
             for name, text in names.items()
+        )
+
+    def _open_data(self) -> tuple[Action, ...]:
+        found = open_data_of(self._desk)
+        names = {
+            "band": (
+                self.tr("&Band of possible elevations"),
+                self.tr("Show in the strips every elevation that the data allow"),
+            ),
+            "profiles": (
+                self.tr("P&rofiles at random"),
+                self.tr("Show in the strips profiles drawn evenly among all that the data allow"),
+            ),
+            "error_band": (
+                self.tr("&Error band of the result"),
+                self.tr("Show in the strips where the real track lies with 95 %"),
+            ),
+        }
+        return tuple(
+            Action(
+                f"open_{name}",
+                text,
+                partial(found.show, name),
+                (),
+                "",
+                tip,
+                "View",
+                "open data",
+                enabled=self._is_open,
+                checked=partial(found.is_shown, name),
+            )
+            for name, (text, tip) in names.items()
         )
 
     def _loupe(self) -> Action:

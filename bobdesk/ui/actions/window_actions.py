@@ -25,8 +25,8 @@ class Stage(Protocol):
     def reset_layout(self) -> None:
         """Put docks and bars back where they are at first."""
 
-    def next_part(self) -> None:
-        """Move the focus to the next part of the window: steps, tools, plan, panel, strips."""
+    def next_part(self, by: int = 1) -> None:
+        """Move the keyboard to the next part of the window, or with -1 to the one before."""
 
     def has_document(self) -> bool:
         """Whether there is a document."""
@@ -71,7 +71,17 @@ class WindowActions(QObject):
                 self._stage.next_part,
                 ("F6",),
                 "",
-                self.tr("Move the keyboard to steps, tools, plan, panel, and round again"),
+                self.tr("Move the keyboard to steps, tools, plan, strips, panel, and round again"),
+                "Window",
+                "layout",
+            ),
+            Action(
+                "part_before",
+                self.tr("Part of the window &before"),
+                lambda: self._stage.next_part(-1),
+                ("Shift+F6",),
+                "",
+                self.tr("Move the keyboard to the part of the window that it comes from"),
                 "Window",
                 "layout",
             ),

@@ -7,6 +7,7 @@ from typing import cast
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
+    QCheckBox,
     QComboBox,
     QDialog,
     QDialogButtonBox,
@@ -43,7 +44,7 @@ def language_name(code: str) -> str:
 class PreferencesDialog(QDialog):
     """Writes the settings as they are chosen; the window follows `Settings.changed`."""
 
-    def __init__(self, settings: Settings, parent: QWidget | None = None) -> None:
+    def __init__(self, settings: Settings, parent: QWidget | None = None, *, offers_updates: bool = False) -> None:
         super().__init__(parent)
         self.setObjectName("preferences")
         self.setWindowTitle(self.tr("Preferences"))
@@ -54,6 +55,7 @@ class PreferencesDialog(QDialog):
             settings.length_unit,
             settings.gradient_unit,
             settings.autosave_minutes,
+            settings.asks_for_updates,
         )
         self.theme = self._choices(
             self.tr("Theme"),
@@ -88,6 +90,11 @@ class PreferencesDialog(QDialog):
         self.autosave.setValue(settings.autosave_minutes)
         self.autosave.setAccessibleName(self.tr("Save every"))
         self.autosave.setToolTip(self.tr("Save a project that has a file by itself; 0 never does"))
+        self.updates = QCheckBox(self.tr("Loo&k for a newer version once a day"), self)
+        self.updates.setChecked(settings.asks_for_updates)
+        self.updates.setToolTip(self.tr("Ask after the start whether there is a newer version, and say so if there is"))
+        self.updates.setVisible(offers_updates)
+        self._offers_updates = offers_updates
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok
             | QDialogButtonBox.StandardButton.Cancel
@@ -127,6 +134,10 @@ class PreferencesDialog(QDialog):
         form.addRow(
             "", self._hint(self.tr("Apart from this, every edit goes into a recovery copy, whatever is chosen here."))
         )
+        if self._offers_updates:
+            form.addRow(self._heading(self.tr("Newer versions")))
+            form.addRow("", self.updates)
+            form.addRow("", self._hint(self.tr("Nothing is sent but the question, and nothing is installed.")))
         column = QVBoxLayout(self)
         column.setContentsMargins(20, 16, 20, 16)
         column.setSpacing(16)
@@ -141,13 +152,14 @@ class PreferencesDialog(QDialog):
         self.length_unit.currentIndexChanged.connect(self._on_length_unit)
         self.gradient_unit.currentIndexChanged.connect(self._on_gradient_unit)
         self.autosave.valueChanged.connect(lambda minutes: setattr(settings, "autosave_minutes", minutes))
+        self.updates.toggled.connect(lambda on: setattr(settings, "asks_for_updates", on))
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         usual = self._buttons.button(QDialogButtonBox.StandardButton.RestoreDefaults)
         usual.setToolTip(self.tr("Bring all of these to what a new installation has"))
-        usual.clicked.connect(lambda: self._show("", "system", "m", "percent", 0))
+        usual.clicked.connect(lambda: self._show("", "system", "m", "percent", 0, False))
 
-    def _show(self, language: str, theme: str, length: str, gradient: str, autosave: int) -> None:
+    def _show(self, language: str, theme: str, length: str, gradient: str, autosave: int, updates: bool) -> None:
         for box, value in (
             (self.language, language),
             (self.theme, theme),
@@ -156,6 +168,7 @@ class PreferencesDialog(QDialog):
         ):
             box.setCurrentIndex(max(0, box.findData(value)))
         self.autosave.setValue(autosave)
+        self.updates.setChecked(updates)
 
     def _on_theme(self) -> None:
         self._settings.theme = cast("Theme", self.theme.currentData())

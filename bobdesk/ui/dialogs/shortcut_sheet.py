@@ -63,7 +63,7 @@ class ShortcutSheet(QDialog):
     def __init__(self, actions: ActionSet, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("shortcuts")
-        self.setWindowTitle(self.tr("Shortcuts"))
+        self.setWindowTitle(self.tr("Keyboard shortcuts"))
         self._actions, self._settings = actions, settings
         self._items: dict[str, QTreeWidgetItem] = {}
         self._field: KeyField | None = None

@@ -17,6 +17,7 @@ from bobdesk.project.project import Project
 from bobdesk.ui.derived import DerivedLater
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.questions import Questions
+from bobdesk.ui.solve.design_rules_part import DesignRulesPart
 from bobdesk.ui.solve.export_job import Written, inputs_of, write
 from bobdesk.ui.solve.figures_part import FiguresPart
 from bobdesk.ui.solve.report_saving import ReportSaving
@@ -33,6 +34,7 @@ class ExportPanel(Panel):
         super().__init__(desk, parent)
         self.name_it(self.tr("Export"))
         self.figures = FiguresPart(self)
+        self.rules = DesignRulesPart(self)
         self._path: Path | None = None
         self._is_wanted = False
         self._questions = Questions(desk.settings, self)
@@ -166,6 +168,7 @@ class ExportPanel(Panel):
     def _refresh(self) -> None:
         project, unit = self.desk.session.project, self.desk.quantities
         self.figures.refresh(project)
+        self.rules.refresh(project)
         has_run = project.run is not None
         for section in (self._file, self._preview_section, self._report_section):
             section.setVisible(has_run)

@@ -6,6 +6,8 @@ from PySide6.QtWidgets import QWidget
 
 from bobdesk.project.project import Project
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.solve.advice_part import AdvicePart
+from bobdesk.ui.solve.budget_part import BudgetPart
 from bobdesk.ui.solve.convergence_part import ConvergencePart
 from bobdesk.ui.solve.feasibility_part import FeasibilityPart
 from bobdesk.ui.solve.known_part import KnownPart
@@ -25,10 +27,12 @@ class SolvePanel(Panel):
         self.targets = TargetsPart(self)
         self.feasibility = FeasibilityPart(self)
         self.known = KnownPart(self)
+        self.advice = AdvicePart(self, self.known)
         self.method = MethodPart(self)
         self.run = RunPart(self)
         self.convergence = ConvergencePart(self)
         self.runs = RunsPart(self)
+        self.budget = BudgetPart(self)
         self.column.addStretch(1)
         desk.session.changed.connect(self._on_changed)
         self._show(desk.session.project)
@@ -37,5 +41,5 @@ class SolvePanel(Panel):
         self._show(after)
 
     def _show(self, project: Project) -> None:
-        for part in (self.targets, self.known, self.method, self.run, self.runs):
+        for part in (self.targets, self.known, self.method, self.run, self.runs, self.budget):
             part.refresh(project)

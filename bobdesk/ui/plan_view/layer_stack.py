@@ -12,6 +12,7 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.plan_view.layers.actual_track import ActualTrackLayer
 from bobdesk.ui.plan_view.layers.centreline import CentrelineLayer
 from bobdesk.ui.plan_view.layers.control_points import ControlPointsLayer
+from bobdesk.ui.plan_view.layers.elevations import ElevationsLayer
 from bobdesk.ui.plan_view.layers.flags import FlagsLayer
 from bobdesk.ui.plan_view.layers.furniture import FurnitureLayer
 from bobdesk.ui.plan_view.layers.layer import Layer
@@ -29,6 +30,7 @@ _IN_STEPS: dict[str, tuple[StepName, ...]] = {
     "control_points": ("Plan", "Scale"),
     "segments": ("Segments", "Solve", "Export"),
     "actual_track": ("Solve", "Export"),
+    "elevations": ("Segments", "Solve", "Export"),
 }
 
 
@@ -47,6 +49,7 @@ class LayerStack:
             SegmentsLayer(desk, frame),
             ActualTrackLayer(desk, frame),
             StationsLayer(desk, frame),
+            ElevationsLayer(desk, frame),
             FlagsLayer(desk, frame),
             ControlPointsLayer(desk, frame),
             FurnitureLayer(desk, frame),

@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from bobdesk.arrays import FloatArray
-from bobdesk.ui.plots.convergence_data import NOTHING, ConvergenceData, extremes
+from bobdesk.ui.plots.convergence_data import ConvergenceData
 from bobdesk.ui.theme import colours
 
 _LEFT, _RIGHT, _TOP, _BOTTOM = 46, 10, 18, 20
@@ -151,17 +151,12 @@ class ConvergencePlot(QWidget):
         if data is None or not data.count:
             return -3.0, 3.0
         first, last = self._rows()
-        lows, highs = [], []
-        for name in self._series:
-            logs = data.logs(name, first, last)
-            good = logs[np.isfinite(logs) & (logs > NOTHING)]
-            if len(good):
-                lows.append(float(good.min()))
-                highs.append(float(good.max()))
-        if not lows:
+        ranges = [data.range_of(name, first, last) for name in self._series]
+        found = [one for one in ranges if one is not None]
+        if not found:
             return -3.0, 3.0
-        high = math.ceil(max(highs) + 0.05)
-        low = max(math.floor(min(lows) - 0.05), high - _DECADES_SHOWN)
+        high = math.ceil(max(high for _, high in found) + 0.05)
+        low = max(math.floor(min(low for low, _ in found) - 0.05), high - _DECADES_SHOWN)
         return (float(low), float(max(high, low + 2)))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -189,7 +184,7 @@ class ConvergencePlot(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         x_low, x_high = self._x_range()
         for name in self._series:
-            x, y = extremes(data.numbers[first:last], data.logs(name, first, last), max(int(area.width()), 2))
+            x, y = data.curve(name, first, last, max(int(area.width()), 2))
             self._draw_curve(painter, area, name, (x - x_low) / (x_high - x_low), (y - low) / (high - low))
         if self._cursor is not None:
             self._draw_cursor(painter, area, (self._cursor - x_low) / (x_high - x_low), low, high)
@@ -204,7 +199,7 @@ class ConvergencePlot(QWidget):
         down = area.bottom() - np.clip(y, 0.0, 1.0) * area.height()
         good = np.isfinite(y) | np.isposinf(y)
         for part in _runs_of(good):
-            points = [QPointF(a, b) for a, b in zip(across[part].tolist(), down[part].tolist(), strict=True)]
+            points = list(map(QPointF, across[part].tolist(), down[part].tolist()))
             if len(points) == 1:
                 painter.drawEllipse(points[0], 1.5, 1.5)
             else:

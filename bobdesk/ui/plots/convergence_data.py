@@ -13,10 +13,11 @@ _NUMBER, _STAGE, _OBJECTIVE, _LENGTH, _DROP, _OPTIMALITY, _STEP, _SCALE = range(
 # A logarithm of what is 0 or less: below everything, and drawn on the lower edge.
 NOTHING = -400.0
 _FIRST_ROOM = 1024
+_BLOCK = 64
 
 
 class ConvergenceData:
-    """Grows with a run; only what is new is worked out.
+    """Grows with a run; only what is new is worked out, so that a picture costs the same however long the run is.
 
     Parameters
     ----------
@@ -30,8 +31,14 @@ class ConvergenceData:
         self.has_terms = inputs.settings.method != "pgd"
         self._count = 0
         self._values = np.empty((_FIRST_ROOM, len(SERIES)))
+        self._logs = np.empty((_FIRST_ROOM, len(SERIES)))
         self._numbers = np.empty(_FIRST_ROOM)
-        self._stages = np.empty(_FIRST_ROOM, dtype=np.int64)
+        self._stage = -1
+        self._stage_starts: list[tuple[int, int]] = []
+        # Lowest and highest logarithm in each block of rows, with all that there is, and among those that can be drawn.
+        blocks = _FIRST_ROOM // _BLOCK
+        self._low, self._high = np.empty((blocks, len(SERIES))), np.empty((blocks, len(SERIES)))
+        self._low_drawn, self._high_drawn = np.empty((blocks, len(SERIES))), np.empty((blocks, len(SERIES)))
 
     @property
     def count(self) -> int:
@@ -46,23 +53,36 @@ class ConvergenceData:
     @property
     def stage_starts(self) -> list[tuple[int, int]]:
         """Row and index of the stage where each stage begins."""
-        stages = self._stages[: self._count]
-        rows = [0, *(np.flatnonzero(np.diff(stages)) + 1).tolist()] if self._count else []
-        return [(row, int(stages[row])) for row in rows]
+        return self._stage_starts
 
     def add(self, rows: FloatArray) -> None:
         """Take the next iterates, (k, 8)."""
         if not len(rows):
             return
-        end = self._count + len(rows)
+        start, end = self._count, self._count + len(rows)
         while end > len(self._values):
-            self._values = np.concatenate([self._values, np.empty_like(self._values)])
-            self._numbers = np.concatenate([self._numbers, np.empty_like(self._numbers)])
-            self._stages = np.concatenate([self._stages, np.empty_like(self._stages)])
-        self._values[self._count : end] = self._series(rows)
-        self._numbers[self._count : end] = rows[:, _NUMBER]
-        self._stages[self._count : end] = rows[:, _STAGE]
+            for name in ("_values", "_logs", "_numbers", "_low", "_high", "_low_drawn", "_high_drawn"):
+                room = getattr(self, name)
+                setattr(self, name, np.concatenate([room, np.empty_like(room)]))
+        self._values[start:end] = self._series(rows)
+        self._logs[start:end] = logarithms(self._values[start:end])
+        self._numbers[start:end] = rows[:, _NUMBER]
+        stages = rows[:, _STAGE].astype(int)
+        for row in np.flatnonzero(np.diff(stages, prepend=self._stage)).tolist():
+            self._stage_starts.append((start + row, int(stages[row])))
+        self._stage = int(stages[-1])
         self._count = end
+        self._look_at_blocks(start // _BLOCK, end)
+
+    def _look_at_blocks(self, block: int, end: int) -> None:
+        logs = self._logs[block * _BLOCK : end]
+        starts = np.arange(0, len(logs), _BLOCK)
+        to = slice(block, block + len(starts))
+        drawn = np.isfinite(logs) & (logs > NOTHING)
+        self._low[to] = np.fmin.reduceat(logs, starts)
+        self._high[to] = np.fmax.reduceat(logs, starts)
+        self._low_drawn[to] = np.minimum.reduceat(np.where(drawn, logs, np.inf), starts)
+        self._high_drawn[to] = np.maximum.reduceat(np.where(drawn, logs, -np.inf), starts)
 
     def values(self, name: str) -> FloatArray:
         """Return a series as it is, (n,); NaN where a method has none."""
@@ -70,8 +90,28 @@ class ConvergenceData:
 
     def logs(self, name: str, first: int, last: int) -> FloatArray:
         """Return the decimal logarithms of rows `first` to `last`; `NOTHING` for 0 or less, NaN stays NaN."""
-        values = self._values[first:last, SERIES.index(name)]
-        return logarithms(values)
+        return self._logs[first:last, SERIES.index(name)]
+
+    def range_of(self, name: str, first: int, last: int) -> tuple[float, float] | None:
+        """Return the lowest and highest logarithm that can be drawn in rows `first` to `last`, None without any."""
+        column = SERIES.index(name)
+        block, end = -(-first // _BLOCK), last // _BLOCK
+        pieces = [slice(first, last)] if end <= block else [slice(first, block * _BLOCK), slice(end * _BLOCK, last)]
+        logs = np.concatenate([self._logs[piece, column] for piece in pieces])
+        logs = logs[np.isfinite(logs) & (logs > NOTHING)]
+        lows = np.concatenate([logs, self._low_drawn[block:end, column]])
+        highs = np.concatenate([logs, self._high_drawn[block:end, column]])
+        low, high = float(lows.min(initial=np.inf)), float(highs.max(initial=-np.inf))
+        return (low, high) if low <= high else None
+
+    def curve(self, name: str, first: int, last: int, columns: int) -> tuple[FloatArray, FloatArray]:
+        """Return numbers and logarithms to be drawn for rows `first` to `last`, at most 2 points a column of pixels."""
+        if last - first <= 2 * columns * _BLOCK:
+            return extremes(self._numbers[first:last], self.logs(name, first, last), columns)
+        column = SERIES.index(name)
+        blocks = slice(first // _BLOCK, -(-last // _BLOCK))
+        starts = self._numbers[blocks.start * _BLOCK : last : _BLOCK]
+        return thinned(starts, self._low[blocks, column], self._high[blocks, column], columns)
 
     def nearest(self, number: float) -> int:
         """Return the row whose iterate's number is nearest."""
@@ -120,11 +160,14 @@ def extremes(x: FloatArray, y: FloatArray, columns: int) -> tuple[FloatArray, Fl
     columns
         How many columns of pixels there are.
     """
-    if len(x) <= 2 * columns:
-        return x, y
+    return (x, y) if len(x) <= 2 * columns else thinned(x, y, y, columns)
+
+
+def thinned(x: FloatArray, low: FloatArray, high: FloatArray, columns: int) -> tuple[FloatArray, FloatArray]:
+    """Return 2 points a column of pixels for what lies between `low` and `high`, (n,) each, at ascending x."""
     edges = np.linspace(0, len(x), columns + 1).astype(int)[:-1]
-    low, high = np.fmin.reduceat(y, edges), np.fmax.reduceat(y, edges)
-    rising = y[edges] <= y[np.minimum(np.append(edges[1:], len(y)) - 1, len(y) - 1)]
+    lowest, highest = np.fmin.reduceat(low, edges), np.fmax.reduceat(high, edges)
+    rising = low[edges] <= low[np.minimum(np.append(edges[1:], len(x)) - 1, len(x) - 1)]
     thin_x, thin_y = np.repeat(x[edges], 2), np.empty(2 * columns)
-    thin_y[0::2], thin_y[1::2] = np.where(rising, low, high), np.where(rising, high, low)
+    thin_y[0::2], thin_y[1::2] = np.where(rising, lowest, highest), np.where(rising, highest, lowest)
     return thin_x, thin_y

@@ -1,35 +1,23 @@
-"""A picture of a study: for each figure a table of colours, with its numbers in the cells."""
+"""A picture of a study: for each figure a table of colours with its numbers, and its curves."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any
 
-from bobdesk.track.study import STUDY_COLUMNS
-from bobdesk.ui.plots import palette
 from bobdesk.ui.qt import application_without_screen
 
-# Column and title.
-_PANELS = (
-    ("length_percent", "Deviation of the length (%)"),
-    ("drop_percent", "Deviation of the height difference (%)"),
-    ("z_rms_m", "Error of the elevation, RMS (m)"),
-    ("max_gradient", "Largest gradient"),
-)
-_CELL, _HIGH, _LEFT, _TOP, _GAP, _MARGIN = 92, 30, 190, 84, 34, 24
+if TYPE_CHECKING:
+    from PySide6.QtCore import QSize
+    from PySide6.QtGui import QFont, QPainter
+
+_FIGURES = ("length_percent", "drop_percent", "z_rms_m", "max_gradient")
+_OVER = ("segments", "height_weight", "known")
+_CHART = (760, 300)
+_MARGIN = 12
 _LARGEST = 16_000
-_NOTHING = 5e-6
-_LIGHT, _DARK = (255, 247, 236), (179, 61, 20)
-
-
-@dataclass(frozen=True)
-class _Panel:
-    title: str
-    rows: list[str]
-    columns: list[tuple[str, str, str]]
-    values: dict[tuple[str, tuple[str, str, str]], str]
+_LETTERS_PX = 13
 
 
 def draw_study(rows: Sequence[Sequence[str]], *, kind: str) -> bytes:
@@ -48,13 +36,76 @@ def draw_study(rows: Sequence[Sequence[str]], *, kind: str) -> bytes:
         If Qt cannot start.
     """
     application_without_screen()
-    from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRect, QSize
-    from PySide6.QtGui import QImage, QPainter
+    from PySide6.QtCore import QRectF, QSize
+
+    from bobdesk.track.study_pivot import curves, figures_in, labels_on
+    from bobdesk.ui.plots.chart import draw_chart
+    from bobdesk.ui.plots.heat_map import HeatMapLayout
+    from bobdesk.ui.plots.study_drawings import chart, figure_titles, heat_map
+    from bobdesk.ui.theme import on_paper
+
+    font = picture_font()
+    there = figures_in(rows)
+    top, wide = _MARGIN, 480
+    parts: list[tuple[int, Callable[[QPainter], object]]] = []
+    for figure in (each for each in _FIGURES if each in there):
+        table = HeatMapLayout(
+            heat_map(
+                rows,
+                ("plan", "segments") if len(labels_on(rows, "plan")) > 1 else ("segments",),
+                ("method", "height_weight", "known"),
+                figure,
+                title=figure_titles()[figure],
+            ),
+            font,
+        )
+        parts.append((top, table.draw))
+        top, wide = top + table.size.height() + _MARGIN, max(wide, table.size.width())
+        for axis in _OVER:
+            if len(curves(rows, axis, figure)[0]) < 2:
+                continue
+            drawn = chart(rows, axis, figure, title="")
+            area = QRectF(0, 0, *_CHART)
+            parts.append((top, partial(draw_chart, whole=area, chart=drawn)))
+            top, wide = top + _CHART[1] + _MARGIN, max(wide, _CHART[0])
+    size = QSize(min(wide + _MARGIN, _LARGEST), min(top + _MARGIN, _LARGEST))
+
+    def draw(painter: QPainter) -> None:
+        for y, part in parts:
+            painter.save()
+            painter.translate(0, y)
+            part(painter)
+            painter.restore()
+
+    with on_paper():
+        return picture_bytes(draw, size, kind)
+
+
+def picture_font() -> QFont:
+    """Return the font of pictures, the same at every resolution of the screen."""
+    from PySide6.QtGui import QFont
+
+    font = QFont()
+    font.setPixelSize(_LETTERS_PX)
+    return font
+
+
+def picture_bytes(draw: Callable[[QPainter], object], size: QSize, kind: str, *, sharpness: int = 1) -> bytes:
+    """Have something drawn on paper, and return the bytes of the picture.
+
+    Parameters
+    ----------
+    kind
+        ".png" or ".svg".
+    sharpness
+        Pixels of a PNG for each of the size.
+    """
+    from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRect
+    from PySide6.QtGui import QColor, QImage, QPainter
     from PySide6.QtSvg import QSvgGenerator
 
-    panels = [panel for column, title in _PANELS if (panel := _panel(rows, column, title)) is not None]
-    width, heights = _size(panels)
-    size = QSize(min(width, _LARGEST), min(sum(heights) + _MARGIN, _LARGEST))
+    from bobdesk.ui.theme import colours
+
     content = QByteArray()
     buffer = QBuffer(content)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
@@ -65,106 +116,15 @@ def draw_study(rows: Sequence[Sequence[str]], *, kind: str) -> bytes:
         device.setSize(size)
         device.setViewBox(QRect(0, 0, size.width(), size.height()))
     else:
-        device = QImage(size, QImage.Format.Format_RGB32)
+        device = QImage(size * sharpness, QImage.Format.Format_RGB32)
+        device.setDevicePixelRatio(sharpness)
     painter = QPainter(device)
+    painter.setFont(picture_font())
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.fillRect(QRect(0, 0, size.width(), size.height()), palette.PAPER)
-    top = _MARGIN
-    for panel, height in zip(panels, heights, strict=True):
-        _draw(painter, panel, top)
-        top += height
+    painter.fillRect(QRect(0, 0, size.width(), size.height()), QColor(colours().base))
+    draw(painter)
     painter.end()
     if kind == ".png":
         device.save(buffer, "PNG")
     buffer.close()
     return bytes(content.data())
-
-
-def _panel(rows: Sequence[Sequence[str]], column: str, title: str) -> _Panel | None:
-    """Return the panel of a column, or None where no row has a figure in it."""
-    at = {name: index for index, name in enumerate(STUDY_COLUMNS)}
-    if not any(row[at[column]] for row in rows):
-        return None
-    several = len({row[at["plan"]] for row in rows}) > 1
-    down: dict[str, None] = {}
-    across: dict[tuple[str, str, str], None] = {}
-    values = {}
-    for row in rows:
-        count = f"{row[at['wanted_segments']] or row[at['segments']]} segments"
-        name = f"{row[at['plan']]}, {count}" if several else count
-        known = row[at["known"]]
-        weight = row[at["height_weight"]]
-        key = (row[at["method"]], f"b = {weight}" if weight else "", "" if known in ("", "none") else f"known {known}")
-        down[name] = across[key] = None
-        values[name, key] = row[at[column]]
-    return _Panel(title, list(down), list(across), values)
-
-
-def _size(panels: list[_Panel]) -> tuple[int, list[int]]:
-    width = max((_LEFT + _CELL * len(panel.columns) for panel in panels), default=_LEFT) + _MARGIN
-    return max(width, 480), [_TOP + _HIGH * len(panel.rows) + _GAP for panel in panels]
-
-
-def _draw(painter: Any, panel: _Panel, top: int) -> None:
-    from PySide6.QtCore import QRect, Qt
-    from PySide6.QtGui import QColor, QFont, QFontMetrics, QPen
-
-    font = QFont()
-    font.setPixelSize(13)
-    bold = QFont(font)
-    bold.setPixelSize(16)
-    bold.setBold(True)
-    painter.setPen(QColor(palette.INK))
-    painter.setFont(bold)
-    painter.drawText(_MARGIN, top + 18, panel.title)
-    painter.setFont(font)
-    metrics = QFontMetrics(font)
-
-    def text(box: QRect, words: str, align: Any) -> None:
-        painter.drawText(box, align, metrics.elidedText(words, Qt.TextElideMode.ElideRight, box.width()))
-
-    for index, names in enumerate(panel.columns):
-        for line, words in enumerate(names):
-            box = QRect(_LEFT + _CELL * index + 3, top + 26 + 17 * line, _CELL - 6, 17)
-            text(box, words, Qt.AlignmentFlag.AlignCenter)
-    numbers = [abs(number) for value in panel.values.values() if (number := _number(value)) is not None]
-    low, high = min(numbers, default=0.0), max(numbers, default=0.0)
-    for line, name in enumerate(panel.rows):
-        y = top + _TOP + _HIGH * line
-        painter.setPen(QColor(palette.INK))
-        text(
-            QRect(_MARGIN, y, _LEFT - _MARGIN - 12, _HIGH),
-            name,
-            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
-        )
-        for index, key in enumerate(panel.columns):
-            value = panel.values.get((name, key))
-            if value is None:
-                continue
-            box = QRect(_LEFT + _CELL * index + 1, y + 1, _CELL - 2, _HIGH - 2)
-            number = _number(value)
-            share = 0.0 if number is None or high <= low else (abs(number) - low) / (high - low)
-            fill = QColor(*(round(a + share * (b - a)) for a, b in zip(_LIGHT, _DARK, strict=True)))
-            if number is None:
-                painter.setPen(QPen(QColor(palette.FAINT), 1, Qt.PenStyle.DashLine))
-                painter.drawRect(box)
-                painter.setPen(QColor(palette.INK))
-            else:
-                painter.fillRect(box, fill)
-                painter.setPen(QColor(palette.PAPER if share > 0.6 else palette.INK))
-            text(
-                box,
-                "failed" if number is None else f"{number:.4g}" if abs(number) >= _NOTHING else "0",
-                Qt.AlignmentFlag.AlignCenter,
-            )
-
-
-def _shown(number: float | None) -> str:
-    if number is None:
-        return "failed"
-    return f"{number:.4g}" if abs(number) >= _NOTHING else "0"
-
-
-def _number(text: str) -> float | None:
-    number = float(text) if text else math.nan
-    return number if math.isfinite(number) else None

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QCheckBox, QToolButton
@@ -112,13 +110,12 @@ class ConvergencePart(Part):
             return
         if self._of_run is None or self._of_run[0].layout is not run.layout:
             data = ConvergenceData(run.inputs)
-            journey = self.solving.journey_of(run)
-            data.add(run.history if journey is None else journey.record.rows())
+            of_session = self.solving.record_of(run)
+            data.add(run.history if of_session is None else of_session.rows())
             self._of_run = (run, data)
-        may_scrub = self.solving.journey_of(run) is not None
         self.plot.show_data(self._of_run[1], run.stages, may_scrub=True)
         self._show_terms(self._of_run[1])
-        self._read(self.plot.cursor_number, may_scrub=may_scrub)
+        self._read(self.plot.cursor_number, has_lines=run.iterates is not None)
 
     def _show_terms(self, data: ConvergenceData) -> None:
         for name in ("length term", "height term", "other terms"):
@@ -128,37 +125,36 @@ class ConvergencePart(Part):
         run = self.desk.session.project.run
         if run is None or self.solving.is_running:
             return
-        journey = self.solving.journey_of(run)
-        kept = () if journey is None else journey.record.kept
-        if kept:
-            iterate = min(kept, key=lambda one: abs(one.number - number))
-            self.plot.mark(iterate.number)
-            self.shown.scrub(None if iterate is kept[-1] else iterate)
+        kept = run.iterates
+        if kept is not None:
+            row = kept.nearest(number)
+            self.plot.mark(int(kept.numbers[row]))
+            self.shown.scrub(None if row == len(kept.table) - 1 else row)
         else:
             self.plot.mark(number)
-        self._read(self.plot.cursor_number, may_scrub=bool(kept))
+        self._read(self.plot.cursor_number, has_lines=kept is not None)
 
-    def _read(self, number: int | None, *, may_scrub: bool = True) -> None:
+    def _read(self, number: int | None, *, has_lines: bool = True) -> None:
         """Say the figures of the marked iterate in words."""
         data = self.plot.data
         self.reading.setVisible(data is not None)
         if data is None or not data.count:
             return
         row = data.count - 1 if number is None else data.nearest(number)
-        number_text = self.desk.quantities.number
+        number_text, short = self.desk.quantities.number, self.desk.quantities.short
         text = self.tr(
             "Iterate {number} of {last}: J {objective}, length off by {length} %, drop off by {drop} %, f {scale}"
         )
         said = text.format(
             number=number_text(float(data.numbers[row]), 0),
             last=number_text(float(data.numbers[-1]), 0),
-            objective=_short(data.values("objective")[row]),
-            length=_short(data.values("length")[row]),
-            drop=_short(data.values("drop")[row]),
+            objective=short(data.values("objective")[row]),
+            length=short(data.values("length")[row]),
+            drop=short(data.values("drop")[row]),
             scale=number_text(float(data.values("scale")[row]), 5),
         )
-        if number is not None and not may_scrub:
-            said += ". " + self.tr("Lines of iterates are kept for runs of this session.")
+        if number is not None and not has_lines:
+            said += ". " + self.tr("The lines of this run's iterates are not in its file; F5 solves again.")
         self.reading.setText(said)
 
     def _on_follow(self, on: bool) -> None:
@@ -182,7 +178,3 @@ class ConvergencePart(Part):
             painter.drawLine(0, 5, 22, 5)
             painter.end()
             button.setIcon(QIcon(pixmap))
-
-
-def _short(value: float) -> str:
-    return "–" if math.isnan(value) else f"{value:.3g}"

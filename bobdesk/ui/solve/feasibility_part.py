@@ -68,4 +68,5 @@ class FeasibilityPart(Part):
             self.box.say("waiting", text, self._remedies.missing(project, None), is_current=self.later.is_current)
             return
         kind: BoxKind = "good" if found.feasible and not found.doubt else "doubt"
-        self.box.say(kind, found.sentence, self._remedies.offers(found), is_current=self.later.is_current)
+        sentence = self.desk.quantities.sentence(found.sentence)
+        self.box.say(kind, sentence, self._remedies.offers(found), is_current=self.later.is_current)

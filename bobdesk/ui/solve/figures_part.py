@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from bobdesk.track.comparison import Comparison
 
 
+# Deviations of this size have one digit behind the point, others three.
+_LARGE_PERCENT = 100.0
+
+
 @dataclass(frozen=True)
 class _Row:
     name: str
@@ -50,7 +54,7 @@ class FiguresPart(Part):
         self.model = ColumnsModel(self._columns(), lambda: len(self._rows), panel.refuse, parent=self)
         self.table = Table(self.tr("Figures of the result"), self.model, fewest_rows=4, most_rows=10, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.NoSelection)
-        self.table.fit_columns(("Min. gradient, %", "8,888.8", "≥ −88.88", "8,888.8", "−8.888 %"))
+        self.table.fit_columns(("Min. gradient, %", "8,888.8", "≥ −88.88", "8,888.8", "−88.888 %"))
         self.column.addWidget(self.table)
         self.note = panel.add_label("", "muted", self.column)
         flow = panel.add_buttons(self.column)
@@ -139,7 +143,7 @@ class FiguresPart(Part):
             _Row(self.tr("Plan length") + in_length, metres(found.plan_length), "–",
                  "–" if actual is None else metres(actual.plan_length),
                  "" if actual is None else self._percent(100 * (found.plan_length / actual.plan_length - 1))),
-            _Row(self.tr("|K2−K3|") + ", 1/m", f"{found.mean_curvature_difference:.3g}"),
+            _Row(self.tr("|K2−K3|") + ", 1/m", self.desk.quantities.short(found.mean_curvature_difference, 2)),
         ]  # fmt: skip
         compared: Comparison | None = self._later.value
         if compared is not None and actual is not None:
@@ -153,4 +157,4 @@ class FiguresPart(Part):
         return rows
 
     def _percent(self, value: float) -> str:
-        return f"{self.desk.quantities.number(value, 3)} %"
+        return f"{self.desk.quantities.number(value, 3 if abs(value) < _LARGE_PERCENT else 1)} %"

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
+from PySide6.QtCore import Qt
+
 from bobdesk.errors import InputError
 from bobdesk.project.project import Project
 from bobdesk.solve.targets import KnownElevation
@@ -21,10 +23,12 @@ class KnownPart(Part):
 
     def __init__(self, panel: Panel) -> None:
         super().__init__(panel)
+        # Station of a row whose elevation is still to be typed; no made-up elevation enters the project.
+        self._awaited: float | None = None
         self.name_it(self.tr("Known elevations"))
         self.model = ColumnsModel(
             self._columns(),
-            lambda: len(self._known),
+            lambda: len(self._known) + (self._awaited is not None),
             panel.refuse,
             stands_out=self._why_it_stands_out,
             parent=self,
@@ -54,6 +58,7 @@ class KnownPart(Part):
         self.load_button.clicked.connect(self._on_load)
         self.table.selectionModel().selectionChanged.connect(self._on_row)
         self.desk.quantities.changed.connect(self.model.refresh_headings)
+        self.desk.session.document_changed.connect(lambda: self._await(None))
 
     @property
     def _known(self) -> tuple[KnownElevation, ...]:
@@ -61,22 +66,51 @@ class KnownPart(Part):
 
     def refresh(self, project: Project) -> None:
         """Show the elevations of a project."""
-        some = bool(project.known_elevations)
+        some = bool(project.known_elevations) or self._awaited is not None
         self.model.refresh()
         self.table.setVisible(some)
         self.hint.setVisible(not some)
         self._on_row()
 
+    def begin(self, station: float) -> None:
+        """Add a row at a station of the plan, m, and let its elevation be typed."""
+        self._await(round(station, 2))
+        place = self.model.index(len(self._known), 1)
+        self.panel.ensureWidgetVisible(self.table)
+        self.table.setFocus(Qt.FocusReason.OtherFocusReason)
+        self.table.setCurrentIndex(place)
+        self.table.edit(place)
+
+    def _await(self, station: float | None) -> None:
+        self._awaited = station
+        self.refresh(self.desk.session.project)
+
+    def _value(self, row: int, field: str) -> float | None:
+        if row < len(self._known):
+            found: float = getattr(self._known[row], field)
+            return found
+        return self._awaited if field == "station" else None
+
     def _columns(self) -> tuple[Column, ...]:
         unit = self.desk.quantities
+
+        def text(row: int, field: str) -> str:
+            value = self._value(row, field)
+            if value is None:
+                return self.tr("type it") if field == "elevation" else ""
+            return unit.length(value, 2, unit=False)
+
+        def edited(row: int, field: str) -> str:
+            value = self._value(row, field)
+            return "" if value is None else number_to_edit(value * unit.length_factor)
 
         def column(heading: str, tip: str, field: str) -> Column:
             return Column(
                 lambda: f"{heading} {unit.length_unit}",
                 tip,
-                lambda row: unit.length(getattr(self._known[row], field), 2, unit=False),
-                lambda row: number_to_edit(getattr(self._known[row], field) * unit.length_factor),
-                lambda row, text: self._change(row, **{field: typed_number(text) / unit.length_factor}),
+                lambda row: text(row, field),
+                lambda row: edited(row, field),
+                lambda row, typed: self._change(row, **{field: typed_number(typed) / unit.length_factor}),
             )
 
         return (
@@ -88,6 +122,8 @@ class KnownPart(Part):
         )
 
     def _why_it_stands_out(self, row: int) -> str:
+        if row >= len(self._known):
+            return self.tr("It counts once its elevation is typed.")
         drop = self.desk.session.project.targets.drop
         if drop is not None and self._known[row].elevation > drop + self._known[row].tolerance:
             return self.tr("This lies above the start, which is at the height difference.")
@@ -96,10 +132,29 @@ class KnownPart(Part):
     def _change(self, row: int, **values: Any) -> bool:
         from bobdesk.project import edits
 
+        if row >= len(self._known):
+            return self._fill(**values)
         known = replace(self._known[row], **values)
         return self.desk.session.apply(
             self.tr("Change known elevation"), lambda project: edits.change_known_elevation(project, row, known)
         )
+
+    def _fill(self, *, station: float | None = None, elevation: float | None = None, tolerance: float = 0.0) -> bool:
+        """Type into the row that waits."""
+        from bobdesk.project import edits
+
+        if station is not None or self._awaited is None or elevation is None:
+            self._await(self._awaited if station is None else station)
+            return station is not None
+        known = KnownElevation(self._awaited, elevation, tolerance)
+        self._awaited = None
+        if self.desk.session.apply(
+            self.tr("Add known elevation"), lambda project: edits.add_known_elevation(project, known)
+        ):
+            self.table.setCurrentIndex(self.model.index(self._known.index(known), 1))
+            return True
+        self._await(known.station)
+        return False
 
     def _on_add(self) -> None:
         from bobdesk.project import derive, edits
@@ -124,7 +179,9 @@ class KnownPart(Part):
         from bobdesk.project import edits
 
         rows = self.table.selectionModel().selectedRows()
-        if rows:
+        if rows and rows[0].row() >= len(self._known):
+            self._await(None)
+        elif rows:
             row = rows[0].row()
             self.desk.session.apply(
                 self.tr("Remove known elevation"), lambda project: edits.remove_known_elevation(project, row)

@@ -6,17 +6,19 @@ from dataclasses import replace
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from bobdesk.files.solvers import solver_methods
 from bobdesk.project.project import Project
+from bobdesk.solve.run import SolverMethod
 from bobdesk.solve.settings import SolverSettings
+from bobdesk.ui.widgets.fold import Fold
+from bobdesk.ui.widgets.long_names import breakable, shortened
 from bobdesk.ui.widgets.number_field import NumberField
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.spin import Spin
 
-_OWN = ("pgd", "published", "slsqp", "lbfgsb", "trustconstr", "de")
 _PAPERS_RATE = 1e-5
 
 
@@ -29,36 +31,25 @@ class MethodPart(Part):
         self.heading.hide()
         form = panel.add_form(self.column)
         self.method = QComboBox(self)
-        for text, tip in (
-            (self.tr("Projected gradient (recommended)"),
-             self.tr("Drop, limits and known elevations hold exactly; smoothest profile that meets the length")),
-            (self.tr("As published"), self.tr("The method of Chen et al., to compare with")),
-            ("SLSQP", self.tr("A second opinion on the published objective; holds drop and known elevations")),
-            ("L-BFGS-B", self.tr("A second opinion on the published objective; knows limits only")),
-            ("trust-constr", self.tr("A second opinion on the published objective; holds drop and known elevations")),
-            (self.tr("Differential evolution"), self.tr("A slow, random search on the published objective")),
-        ):  # fmt: skip
+        found = solver_methods()
+        self._methods = [method.key for method in found.formats]
+        for method in found.formats:
+            text, tip = self._words(method)
             self.method.addItem(text)
             self.method.setItemData(self.method.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
-        # Those of plug-ins come after the program's own, in the order of the list.
-        self._methods = [*_OWN, *(method.key for method in solver_methods().formats if method.key not in _OWN)]
-        for method in solver_methods().formats:
-            if method.key not in _OWN:
-                self.method.addItem(method.title)
         panel.add_field(form, self.tr("Method"), self.method, self.tr("How the gradients are found"))
         self.method.activated.connect(self._on_method)
-        self.more = QToolButton(self)
-        self.more.setText(self.tr("Settings of the method"))
-        self.more.setCheckable(True)
-        self.more.setAutoRaise(True)
-        self.more.setAccessibleName(self.more.text())
-        self.more.setToolTip(self.tr("Show what can be set of the method; the usual values suit most tracks"))
-        self.column.addWidget(self.more)
+        self.missing = panel.add_label("", "warning", self.column)
+        for finding in found.findings:
+            panel.add_label(
+                f"! {breakable(finding.sentence[0].upper() + finding.sentence[1:])}.", "warning", self.column
+            )
+        self.fold = Fold(self.tr("Settings of the method"), self)
+        self.column.addWidget(self.fold)
         self._pgd = self._section()
         self._published = self._section()
         self._add_pgd()
         self._add_published()
-        self.more.toggled.connect(self._show_section)
         self.desk.quantities.changed.connect(lambda: self.refresh(self.desk.session.project))
 
     def refresh(self, project: Project) -> None:
@@ -79,11 +70,34 @@ class MethodPart(Part):
             field.show_value(getattr(settings.weights, name))
         self.rate.show_value(_PAPERS_RATE if settings.rate is None else settings.rate)
         self.threshold.show_value(settings.threshold)
-        self._show_section()
+        is_here = settings.method in self._methods
+        self.missing.setVisible(not is_here)
+        if not is_here:
+            text = self.tr("! The method “{name}” comes with a plug-in that is not here. Choose another one.")
+            self.missing.setText(text.format(name=shortened(settings.method)))
+        self._pgd.setVisible(settings.method == "pgd")
+        self._published.setVisible(settings.method != "pgd")
+        for field in (self.rate, self.threshold):
+            field.setEnabled(settings.method == "published")
+
+    def _words(self, method: SolverMethod) -> tuple[str, str]:
+        """Return what a method is called here, and what is said of it."""
+        second = self.tr("A second opinion on the published objective; holds drop and known elevations")
+        return {
+            "pgd": (
+                self.tr("Projected gradient (recommended)"),
+                self.tr("Drop, limits and known elevations hold exactly; smoothest profile that meets the length"),
+            ),
+            "published": (self.tr("As published"), self.tr("The method of Chen et al., to compare with")),
+            "slsqp": ("SLSQP", second),
+            "lbfgsb": ("L-BFGS-B", self.tr("A second opinion on the published objective; knows limits only")),
+            "trustconstr": ("trust-constr", second),
+            "de": (self.tr("Differential evolution"), self.tr("A slow, random search on the published objective")),
+        }.get(method.key, (method.title, self.tr("From a plug-in")))
 
     def _section(self) -> QWidget:
         section = QWidget(self)
-        self.column.addWidget(section)
+        self.fold.column.addWidget(section)
         return section
 
     def _add_pgd(self) -> None:
@@ -154,15 +168,6 @@ class MethodPart(Part):
         spin.setSuffix(suffix)
         spin.setToolTip(tip)
         return spin
-
-    def _show_section(self, _on: bool = False) -> None:
-        method = self.desk.session.project.solver.method
-        shown = self.more.isChecked()
-        self._pgd.setVisible(shown and method == "pgd")
-        self._published.setVisible(shown and method != "pgd")
-        for field in (self.rate, self.threshold):
-            field.setEnabled(method == "published")
-        self.more.setText(self.tr("Hide the settings") if shown else self.tr("Settings of the method"))
 
     def _set(self, label: str, key: str | None, **values: Any) -> bool:
         from bobdesk.project import edits

@@ -14,6 +14,7 @@ from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
 from bobdesk.track.comparison import Comparison
 from bobdesk.ui.quantities import Quantities
+from bobdesk.ui.solve.report_open_data import ReportOnOpenData
 from bobdesk.ui.solve.run_figures import actual_figures, mean_of
 
 Rows = list[tuple[str, ...]]
@@ -33,6 +34,8 @@ class Report(QObject):
     ----------
     pictures
         Names and PNG bytes, in order, with a caption each.
+    open_data
+        The error budget and the design rules.
     """
 
     def __init__(
@@ -43,10 +46,12 @@ class Report(QObject):
         pictures: list[tuple[str, bytes]],
         quantities: Quantities,
         why_out_of_date: str | None,
+        open_data: ReportOnOpenData,
     ) -> None:
         super().__init__()
         self._project, self._run, self._comparison = project, run, comparison
         self._pictures, self._unit, self._why = pictures, quantities, why_out_of_date
+        self._open_data = open_data
 
     def html(self) -> bytes:
         """Return one file that holds everything."""
@@ -98,6 +103,11 @@ class Report(QObject):
                 f"<h2{style}>{_safe(caption)}</h2>",
                 f'<img src="{source}" width="{width}" alt="{_safe(caption)}">',
             ]
+        budget, rules = self._open_data.budget(), self._open_data.rules()
+        parts += self._table(self.tr("Error budget, 95 %"), budget, heads=self._open_data.budget_heads())
+        sentence = self._open_data.budget_sentence()
+        parts.append(f"<p>{_safe(sentence)}</p>")
+        parts += self._table(self.tr("Design rules"), rules, heads=self._open_data.rule_heads(), numbers=False)
         parts += self._table(self.tr("Known elevations"), self._known())
         parts += self._table(self.tr("Settings"), self._settings())
         parts += self._table(self.tr("Segments"), self._segments(), heads=self._segment_heads())
@@ -106,7 +116,7 @@ class Report(QObject):
             lines = "<br>".join(_safe(line) for line in self._project.notes.splitlines())
             heading = self.tr("Notes")
             parts += [f"<h2>{_safe(heading)}</h2>", f"<p>{lines}</p>"]
-        parts.append(f'<p class="muted">{_safe(run.message)} BobDesk {__version__}.</p>')
+        parts.append(f'<p class="muted">{_safe(self._unit.sentence(run.message))} BobDesk {__version__}.</p>')
         body = "\n".join(parts)
         return (
             '<!DOCTYPE html>\n<html><head><meta charset="utf-8">'
@@ -194,9 +204,11 @@ class Report(QObject):
                 (self.tr("Level out over"), unit.length(pgd.level_out, 1)),
             ]
         weights = settings.weights
-        named = f"a {weights.length:g}, b {weights.height:g}, c {weights.curvature:g}, d {weights.gradient:g}"
-        rate = "–" if settings.rate is None else f"{settings.rate:g}"
-        return [*rows, (self.tr("Weights"), named), ("η", rate), ("δ", f"{settings.threshold:g}")]
+        named = "a {}, b {}, c {}, d {}".format(
+            *(unit.short(one, 6) for one in (weights.length, weights.height, weights.curvature, weights.gradient))
+        )
+        rate, threshold = unit.short(settings.rate, 6), unit.short(settings.threshold, 6)
+        return [*rows, (self.tr("Weights"), named), ("η", rate), ("δ", threshold)]
 
     def _segment_heads(self) -> tuple[str, ...]:
         return (self.tr("Segment"), self.tr("Kind"), self.tr("From"), self.tr("To"))
@@ -225,19 +237,16 @@ class Report(QObject):
             rows.append((self.tr("Actual track"), project.actual.name))
         return rows
 
-    def _table(self, heading: str, rows: Rows, heads: tuple[str, ...] = ()) -> list[str]:
+    def _table(self, heading: str, rows: Rows, heads: tuple[str, ...] = (), *, numbers: bool = True) -> list[str]:
         if not rows:
             return []
+        right = " class=n align=right" if numbers else ""
         lines = [f"<h2>{_safe(heading)}</h2>", '<table width="100%">']
         if heads:
-            cells = "".join(
-                f"<th{' class=n align=right' if at else ''}>{_safe(cell)}</th>" for at, cell in enumerate(heads)
-            )
+            cells = "".join(f"<th{right if at else ''}>{_safe(cell)}</th>" for at, cell in enumerate(heads))
             lines.append(f"<tr>{cells}</tr>")
         for row in rows:
-            cells = "".join(
-                f"<td{' class=n align=right' if at else ''}>{_safe(cell)}</td>" for at, cell in enumerate(row)
-            )
+            cells = "".join(f"<td{right if at else ''}>{_safe(cell)}</td>" for at, cell in enumerate(row))
             lines.append(f"<tr>{cells}</tr>")
         return [*lines, "</table>"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 from PySide6.QtCore import QObject
 
@@ -13,22 +13,36 @@ from bobdesk.files.atomic import write_atomic
 from bobdesk.progress import Progress
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
+from bobdesk.track.design_rules import Finding
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.solve.report import Report
+from bobdesk.ui.solve.report_open_data import ReportOnOpenData
+from bobdesk.ui.solve.usual_rules import rules_of
 from bobdesk.ui.theme import on_paper
 
 if TYPE_CHECKING:
     from bobdesk.solve.envelope import Envelope
     from bobdesk.track.centreline3d import Centreline3D
     from bobdesk.track.comparison import Comparison
+    from bobdesk.track.error_budget import ErrorBudget
 
 Kind = Literal["pdf", "html"]
-_Found = tuple["Centreline3D", "Envelope | None", "Comparison | None"]
+
+
+class _Found(NamedTuple):
+    line: Centreline3D
+    band: Envelope | None
+    comparison: Comparison | None
+    budget: ErrorBudget | None
+    why_no_budget: str
+    findings: tuple[Finding, ...]
 
 
 def _worked_out(project: Project, run: Run) -> Generator[Progress, None, _Found]:
-    from bobdesk.project.derive_runs import run_comparison, run_envelope, run_line
+    from bobdesk.project.derive_open import budget as budget_of
+    from bobdesk.project.derive_runs import run_comparison, run_envelope, run_line, why_out_of_date
+    from bobdesk.track.design_rules import judged
 
     yield Progress(0.0, "report")
     line = run_line(run)
@@ -36,7 +50,16 @@ def _worked_out(project: Project, run: Run) -> Generator[Progress, None, _Found]
         band = run_envelope(run)
     except TargetError:
         band = None
-    return line, band, run_comparison(project, run)
+    budget, why = None, ""
+    if why_out_of_date(project, run) is not None:
+        why = "the result is out of date"
+    else:
+        try:
+            budget = yield from budget_of(project)
+        except (InputError, TargetError) as error:
+            why = str(error)
+    findings = judged(line, rules_of(project), project.sled)
+    return _Found(line, band, run_comparison(project, run), budget, why, findings)
 
 
 class ReportSaving(QObject):
@@ -53,7 +76,6 @@ class ReportSaving(QObject):
         if project.run is None:
             return
         name = (project.name or self.tr("track")) + f"-{project.run.name}.{kind}"
-        name = name.replace("/", "-")
         path = self._questions.file_to_save("export", self.tr("Report"), name, f"{kind.upper()} (*.{kind})", f".{kind}")
         if path is not None:
             self.write(kind, path)
@@ -79,7 +101,7 @@ class ReportSaving(QObject):
         from bobdesk.ui.view3d.picture import fitted_picture
         from bobdesk.ui.view3d.scene_making import SceneMaking
 
-        line, band, comparison = found
+        line, band = found.line, found.band
         with on_paper():
             in_space = fitted_picture(SceneMaking(self._desk.quantities, self).scene(line, "gradient"))
         picture = draw_line(line, band, run.inputs.targets, title=project.name, kind=".png")
@@ -87,7 +109,10 @@ class ReportSaving(QObject):
             (self.tr("Plan, gradient and elevation"), picture),
             (self.tr("In space"), in_space),
         ]
-        report = Report(project, run, comparison, pictures, self._desk.quantities, why_out_of_date(project, run))
+        report = Report(
+            project, run, found.comparison, pictures, self._desk.quantities, why_out_of_date(project, run),
+            ReportOnOpenData(self._desk.quantities, found.budget, found.why_no_budget, found.findings),
+        )  # fmt: skip
         try:
             write_atomic(path, report.pdf() if kind == "pdf" else report.html())
         except InputError as error:

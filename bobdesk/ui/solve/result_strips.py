@@ -1,8 +1,7 @@
-"""What the strips show beside the chosen run: the run at work, other runs, actual track, band, 3D curvature."""
+"""What the strips show beside the chosen run: the run at work, other runs, actual track, 3D curvature."""
 
 from __future__ import annotations
 
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,14 +13,14 @@ from bobdesk.project.runs import Run
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.shown_result import shown_result_of
-from bobdesk.ui.strips.contents import Band, Curve
-from bobdesk.ui.strips.profile_strips import KNOWN
+from bobdesk.ui.solve.known_on_strip import KnownOnStrip
+from bobdesk.ui.strips.contents import Curve
 
 if TYPE_CHECKING:
     from bobdesk.track.centreline3d import Centreline3D
     from bobdesk.ui.strips.strip_stack import StripStack
 
-_SHOWN, _ACTUAL, _BAND, _SPACE = "shown", "actual", "band", "in space"
+_SHOWN, _ACTUAL, _SPACE = "shown", "actual", "in space"
 
 
 class ResultStrips(QObject):
@@ -35,13 +34,10 @@ class ResultStrips(QObject):
         self._now = alignment_now(desk)
         self._overlays = 0
         self._was_live = False
-        self._band_of: object = None
         self._shown.changed.connect(self._draw)
         self._now.changed.connect(self._draw)
         desk.session.changed.connect(self._on_changed)
-        stack.elevation.mark_dragged.connect(self._on_mark_dragged)
-        stack.elevation.mark_dropped.connect(self._on_mark_dropped)
-        stack.elevation.mark_cancelled.connect(lambda _key: stack.elevation.follow())
+        KnownOnStrip(desk, stack)
         stack.installEventFilter(self)
         self._draw()
 
@@ -88,7 +84,6 @@ class ResultStrips(QObject):
         self._was_live = self._shown.is_live
         self._draw_overlays()
         self._draw_actual(line)
-        self._draw_band()
 
     def _draw_overlays(self) -> None:
         overlays: list[tuple[Run, Centreline3D]] = self._shown.overlays
@@ -117,43 +112,6 @@ class ResultStrips(QObject):
             elevation = Curve(stations, elevations, "measure", 1.2, Qt.PenStyle.DashLine, column="actual_elevation_m")
         self._stack.gradient.set_curve(_ACTUAL, gradient)
         self._stack.elevation.set_curve(_ACTUAL, elevation)
-
-    def _draw_band(self) -> None:
-        band = self._shown.band
-        value = self._now.value
-        key = (band, None if value is None else value.line)
-        if band is None:
-            self._stack.elevation.set_band(_BAND, None)
-        elif key != self._band_of:
-            shown = float(band.stations[-1]) if value is None else value.line.length
-            # Far above the start there is nothing to be read: it would only press the profile flat.
-            high = np.minimum(band.highest, 1.15 * float(band.highest[0]))
-            stations = band.stations * (shown / float(band.stations[-1]))
-            self._stack.elevation.set_band(_BAND, Band(stations, band.lowest, high))
-        self._band_of = key
-
-    def _on_mark_dragged(self, key: str, index: int, station: float, value: float) -> None:
-        marks = self._stack.elevation.marks.get(KNOWN)
-        if key != KNOWN or marks is None or not 0 <= index < len(marks.stations):
-            return
-        stations, values = marks.stations.copy(), marks.values.copy()
-        stations[index], values[index] = station, max(value, 0.0)
-        self._stack.elevation.set_marks(KNOWN, replace(marks, stations=stations, values=values))
-
-    def _on_mark_dropped(self, key: str, index: int, station: float, value: float) -> None:
-        from bobdesk.project import derive, edits
-
-        if key != KNOWN:
-            return
-        project = self._desk.session.project
-        known = project.known_elevations
-        if not 0 <= index < len(known):
-            return
-        factor = derive.plan_factor(project)
-        moved = replace(known[index], station=round(station / factor, 2), elevation=round(max(value, 0.0), 2))
-        self._desk.session.apply(
-            self.tr("Drag known elevation"), lambda now: edits.change_known_elevation(now, index, moved)
-        )
 
 
 def actual_profile(actual: ActualTrack, length: float) -> tuple[FloatArray, FloatArray, FloatArray]:

@@ -54,6 +54,7 @@ class RunPart(Part):
         self.drop_button.clicked.connect(self.solving.drop_waiting)
         self.solving.changed.connect(self._show)
         self.solving.advanced.connect(self._say_progress)
+        self.desk.quantities.changed.connect(self._say_progress)
         self._show()
 
     def refresh(self, project: Project) -> None:
@@ -112,7 +113,9 @@ class RunPart(Part):
         number = self.desk.quantities.number
         if record is not None and record.newest is not None:
             text = self.tr("{name}: iteration {count}, J {value}").format(
-                name=self.solving.name, count=number(record.count, 0), value=f"{record.newest.objective:.3g}"
+                name=self.solving.name,
+                count=number(record.count, 0),
+                value=self.desk.quantities.short(record.newest.objective),
             )
             if self.solving.is_paused:
                 text += ", " + self.tr("paused")
@@ -128,6 +131,9 @@ class RunPart(Part):
                 text = self.tr("No result yet.")
             else:
                 text = self.tr("{name}: {message} {count} iterations in {seconds} s.").format(
-                    name=run.name, message=run.message, count=number(run.nit, 0), seconds=number(run.seconds, 2)
+                    name=run.name,
+                    message=self.desk.quantities.sentence(run.message),
+                    count=number(run.nit, 0),
+                    seconds=number(run.seconds, 2),
                 )
         self.progress.setText(text)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
+from PySide6.QtCore import QItemSelectionModel, QLocale, QSignalBlocker, Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPainter, QPixmap
 
 from bobdesk.project.project import Project
@@ -89,12 +89,15 @@ class RunsPart(Part):
         columns = range(_NAME, self.model.columnCount())
         head = [str(self.model.headerData(column, Qt.Orientation.Horizontal)) for column in columns]
         rows = [
-            [str(self.model.data(self.model.index(row, column)) or "") for column in columns]
+            [self._name(row), *(_for_spreadsheet(self._shown_text(row, column)) for column in columns[1:])]
             for row in range(self.model.rowCount())
         ]
         text = "\n".join("\t".join(cell.replace("\t", " ") for cell in row) for row in [head, *rows])
         QGuiApplication.clipboard().setText(text + "\n")
         self.desk.notices.note(self.tr("The table is on the clipboard."))
+
+    def _shown_text(self, row: int, column: int) -> str:
+        return str(self.model.data(self.model.index(row, column)) or "")
 
     @property
     def _runs(self) -> tuple[Run, ...]:
@@ -145,7 +148,7 @@ class RunsPart(Part):
             figure(lambda: self.tr("Min") + " " + unit.gradient_unit, self.tr("Smallest gradient"),
                    lambda of: of.min_gradient, lambda value: unit.gradient(value, unit=False)),
             figure(lambda: "|K2−K3| 1/m", self.tr("Mean difference between curvature in plan and in space"),
-                   lambda of: of.mean_curvature_difference, lambda value: f"{value:.3g}"),
+                   lambda of: of.mean_curvature_difference, unit.short),
             Column(lambda: "f", self.tr("Factor from the plan to true size"),
                    lambda row: unit.number(self._runs[row].scale * self._runs[row].inputs.factor, 5)
                    if row < len(self._runs) else ""),
@@ -157,7 +160,8 @@ class RunsPart(Part):
                    lambda row: f"{self._runs[row].inputs.settings.method}, {self._runs[row].target_set}"
                    if row < len(self._runs) else "", is_number=False),
             Column(lambda: self.tr("End"), self.tr("Why the run ended"),
-                   lambda row: self._runs[row].message if row < len(self._runs) else "", is_number=False),
+                   lambda row: unit.sentence(self._runs[row].message)
+                   if row < len(self._runs) else "", is_number=False),
         )  # fmt: skip
 
     def _fit(self) -> None:
@@ -282,6 +286,13 @@ class RunsPart(Part):
             return
         self.note.setText(self.tr("Other rows: difference to {name}.").format(name=baseline.name))
         self.note.show()
+
+
+def _for_spreadsheet(text: str) -> str:
+    """Return a number of the screen as spreadsheets of the same country read it: no groups, a plain minus."""
+    locale = QLocale()
+    plain = text.replace("−", "-").replace(locale.groupSeparator(), "")
+    return plain if locale.toDouble(plain.removeprefix("+"))[1] else text
 
 
 def _dot(colour: str) -> QPixmap:

@@ -17,6 +17,8 @@ from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 
 _DEFINITIONS: tuple[MeanGradientDefinition, ...] = ("drop-per-length", "drop-per-plan", "segments")
+# 1/m as per cent in ten metres.
+_PERCENT_IN_TEN = 1000.0
 
 
 class TargetsPart(Part):
@@ -39,6 +41,8 @@ class TargetsPart(Part):
         self.lowest = TargetField(self.tr("Smallest gradient"), panel.refuse, self)
         self.highest = TargetField(self.tr("Largest gradient"), panel.refuse, self)
         self._add_limits()
+        self.change = TargetField(self.tr("Largest change of gradient"), panel.refuse, self)
+        self._add_change()
         self.scale = QComboBox(self)
         self._add_scale()
         self._labels()
@@ -47,6 +51,7 @@ class TargetsPart(Part):
         self.mean.entered.connect(self._on_mean)
         self.lowest.entered.connect(self._on_lowest)
         self.highest.entered.connect(self._on_highest)
+        self.change.entered.connect(self._on_change)
         self.desk.quantities.changed.connect(self._on_units)
 
     def refresh(self, project: Project) -> None:
@@ -68,6 +73,8 @@ class TargetsPart(Part):
         self.mean.show_value(None if chosen.mean_gradient is None else unit.shown_gradient(chosen.mean_gradient))
         self.lowest.show_value(unit.shown_gradient(project.limits.min_gradient), digits=8)
         self.highest.show_value(unit.shown_gradient(project.limits.max_gradient), digits=8)
+        change = project.limits.gradient_change
+        self.change.show_value(None if change is None else _PERCENT_IN_TEN * change, digits=8)
         self.scale.setEnabled(project.picture is not None or project.source is not None)
 
     def _add_sets(self) -> None:
@@ -136,6 +143,14 @@ class TargetsPart(Part):
         self.highest.setToolTip(self.tr("No part of the track is steeper than this"))
         tip = self.tr("Smallest and largest gradient, downhill positive")
         self.panel.add_field(self._form, self.tr("Gradient limits"), row, tip)
+
+    def _add_change(self) -> None:
+        self.change.setPlaceholderText(self.tr("not limited"))
+        tip = self.tr(
+            "How fast the gradient may change, for the band of possible elevations and where to measure next;"
+            " 2 % in 10 m is usual. Results do not depend on it"
+        )
+        self.panel.add_field(self._form, self.tr("Change in 10 m") + ", %", self.change, tip)
 
     def _add_scale(self) -> None:
         self.scale.addItems([self.tr("known"), self.tr("unknown: find the factor f")])
@@ -254,6 +269,17 @@ class TargetsPart(Part):
         field = self.lowest if self.lowest.hasFocus() else self.highest
         self._apply(
             self.tr("Gradient limits"), "limits", lambda project: edits.set_limits(project, lowest, highest), field
+        )
+
+    def _on_change(self, shown: float | None) -> None:
+        from bobdesk.project import edits
+
+        change = None if shown is None else shown / _PERCENT_IN_TEN
+        self._apply(
+            self.tr("Largest change of gradient"),
+            "change",
+            lambda project: edits.set_gradient_change(project, change),
+            self.change,
         )
 
     def _on_scale(self, index: int) -> None:

@@ -58,13 +58,38 @@ class Curve:
 
 @dataclass(frozen=True, eq=False)
 class Band:
-    """The area between two curves over the same stations (n,)."""
+    """The area between two curves over the same stations (n,).
+
+    Attributes
+    ----------
+    has_edges
+        Its two curves are dotted: where several areas lie over each other, shades alone say too little.
+    """
 
     stations: FloatArray
     low: FloatArray
     high: FloatArray
     colour: str = "accent"
     alpha: int = 40
+    has_edges: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Bundle:
+    """Many faint curves over the same stations.
+
+    Attributes
+    ----------
+    stations : (n,)
+        m.
+    values : (c, n)
+        In SI.
+    """
+
+    stations: FloatArray
+    values: FloatArray
+    colour: str = "preview"
+    alpha: int = 70
 
 
 @dataclass(frozen=True)

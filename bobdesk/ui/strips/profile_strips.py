@@ -19,6 +19,7 @@ from bobdesk.ui.strips.strip import Strip
 
 RUN = "run"
 KNOWN = "known"
+POSSIBLE, LIKELY = "possible", "likely"
 
 
 class ProfileStrip(Strip):
@@ -144,7 +145,18 @@ class ElevationStrip(ProfileStrip):
         parts = [self.out_of_date()]
         stations, profile = self.stations, self.profile
         if stations is not None and profile is not None and station is not None:
-            parts.append(self._desk.quantities.length(float(np.interp(station, stations, profile.elevations))))
+            height = self._desk.quantities.length(float(np.interp(station, stations, profile.elevations)))
+            likely = self.bands.get(LIKELY)
+            if likely is not None:
+                half = 0.5 * float(np.interp(station, likely.stations, likely.high - likely.low))
+                height += f" ± {self._desk.quantities.length(half)}"
+            parts.append(height)
+        if station is not None and POSSIBLE in self.bands:
+            band, unit = self.bands[POSSIBLE], self._desk.quantities
+            low, high = (float(np.interp(station, band.stations, edge)) for edge in (band.low, band.high))
+            parts.append(
+                self.tr("possible {low} to {high}").format(low=unit.length(low, unit=False), high=unit.length(high))
+            )
         elif KNOWN in self.marks:
             parts.append(self.tr("◇ known elevation"))
         return " · ".join(part for part in parts if part)

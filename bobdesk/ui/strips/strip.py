@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from bobdesk.arrays import FloatArray
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.strips import strip_painting as paint
-from bobdesk.ui.strips.contents import Band, Curve, Level, Marks, shade
-from bobdesk.ui.strips.overlay import Overlay
+from bobdesk.ui.strips.contents import Band, Bundle, Curve, Level, Marks, shade
+from bobdesk.ui.strips.overlay import Overlay, StripPointer
 from bobdesk.ui.strips.station_axis import StationAxis
 from bobdesk.ui.strips.strip_mouse import StripMouse
 from bobdesk.ui.strips.strip_painting import Geometry, Words
@@ -73,6 +73,7 @@ class Strip(QWidget):
         self._empty = ""
         self.curves: dict[str, Curve] = {}
         self.bands: dict[str, Band] = {}
+        self.bundles: dict[str, Bundle] = {}
         self.levels: dict[str, Level] = {}
         self.marks: dict[str, Marks] = {}
         self.overlays: list[Overlay] = []
@@ -99,6 +100,10 @@ class Strip(QWidget):
     def set_band(self, key: str, band: Band | None) -> None:
         """Fill the area between two curves, or take it away."""
         self._set(self.bands, key, band)
+
+    def set_bundle(self, key: str, bundle: Bundle | None) -> None:
+        """Show many faint curves behind all others, or take them away."""
+        self._set(self.bundles, key, bundle)
 
     def set_level(self, key: str, level: Level | None) -> None:
         """Show a horizontal line, or take it away."""
@@ -154,6 +159,21 @@ class Strip(QWidget):
     def cancel(self, *, keep_place: bool = False) -> bool:
         """Drop what the mouse is doing; return whether there was something."""
         return self._mouse.cancel(keep_place=keep_place)
+
+    def cancel_mark(self) -> None:
+        """Let go of a mark that is being dragged."""
+        self._mouse.cancel_mark()
+
+    def place_at(self, at: QPoint) -> tuple[float, float]:
+        """Return station and value at a point of the widget."""
+        on = self.geometry_now()
+        return on.station(at.x()), self.from_shown(on.value(at.y()))
+
+    def mark_at(self, key: str, at: QPoint) -> int | None:
+        """Return the index of the mark at a point of the widget."""
+        pointer = StripPointer(QPointF(at), self.geometry_now(), Qt.KeyboardModifier.NoModifier)
+        found = self._mouse.mark_at(pointer)
+        return found[1] if found is not None and found[0] == key else None
 
     def draw(self, painter: QPainter, width: float, height: float, *, held: QPixmap | None = None) -> None:
         """Draw the strip in a size; `held` are curves that were drawn before."""
@@ -228,6 +248,8 @@ class Strip(QWidget):
     def _draw_curves(self, painter: QPainter, on: Geometry) -> None:
         for band in self.bands.values():
             paint.draw_band(painter, on, band, self.to_shown)
+        for bundle in self.bundles.values():
+            paint.draw_bundle(painter, on, bundle, self.to_shown)
         for curve in self.curves.values():
             paint.draw_curve(painter, on, curve, self.to_shown)
 

@@ -92,6 +92,11 @@ class StripMouse(QObject):
         self._strip.update()
         return True
 
+    def cancel_mark(self) -> None:
+        """Let go of a mark."""
+        if self._grip is not None and self._grip.kind == "mark":
+            self.cancel()
+
     def paint(self, painter: QPainter, on: Geometry) -> None:
         """Draw a stretch or a box that is being dragged."""
         grip = self._grip
@@ -115,7 +120,7 @@ class StripMouse(QObject):
 
     def _press_left(self, pointer: StripPointer) -> None:
         at = pointer.at
-        mark = self._mark_at(pointer)
+        mark = self.mark_at(pointer)
         if mark is not None:
             self._hold("mark", at, key=mark[0], index=mark[1])
             return
@@ -227,7 +232,7 @@ class StripMouse(QObject):
 
     def _show_cursor(self, pointer: StripPointer) -> None:
         shape = Qt.CursorShape.ArrowCursor
-        if self._mark_at(pointer) is not None:
+        if self.mark_at(pointer) is not None:
             shape = Qt.CursorShape.SizeAllCursor
         else:
             found = [overlay.cursor_at(pointer) for overlay in reversed(self._strip.overlays)]
@@ -251,7 +256,8 @@ class StripMouse(QObject):
                     return key
         return None
 
-    def _mark_at(self, pointer: StripPointer) -> tuple[str, int] | None:
+    def mark_at(self, pointer: StripPointer) -> tuple[str, int] | None:
+        """Return the key and the index of a mark that can be dragged."""
         for key, marks in self._strip.marks.items():
             if not marks.is_draggable or not len(marks.stations):
                 continue

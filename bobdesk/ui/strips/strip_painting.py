@@ -12,7 +12,7 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QApplication
 
 from bobdesk.arrays import FloatArray
-from bobdesk.ui.strips.contents import Band, Curve, Level, Marks, decimated, shade, stepped
+from bobdesk.ui.strips.contents import Band, Bundle, Curve, Level, Marks, decimated, shade, stepped
 from bobdesk.ui.strips.station_axis import ticks
 
 LEFT, RIGHT, TOP, BOTTOM, AXIS = 66.0, 14.0, 21.0, 5.0, 20.0
@@ -167,6 +167,18 @@ def draw_band(painter: QPainter, on: Geometry, band: Band, to_shown: Callable[[F
     painter.setBrush(shade(band.colour, band.alpha))
     painter.drawPolygon(outline)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    if band.has_edges:
+        painter.setPen(QPen(shade(band.colour, 200), 1.0, Qt.PenStyle.DotLine))
+        painter.drawPolyline(QPolygonF(_points(on, x, lower)))
+        painter.drawPolyline(QPolygonF(_points(on, x_upper, upper)))
+
+
+def draw_bundle(painter: QPainter, on: Geometry, bundle: Bundle, to_shown: Callable[[FloatArray], FloatArray]) -> None:
+    """Draw many faint curves."""
+    painter.setPen(QPen(shade(bundle.colour, bundle.alpha), 1.0))
+    for values in to_shown(bundle.values):
+        x, y = decimated(bundle.stations, values, on.low, on.high, int(on.area.width()))
+        painter.drawPolyline(QPolygonF(_points(on, x, y)))
 
 
 def draw_curve(painter: QPainter, on: Geometry, curve: Curve, to_shown: Callable[[FloatArray], FloatArray]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QAction, QFocusEvent, QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QMenu, QSizePolicy, QSplitter, QToolButton, QVBoxLayout, QWidget
@@ -55,12 +57,14 @@ class StripStack(QWidget):
         self.elevation = ElevationStrip(desk, self.axis, self)
         self._strips: list[Strip] = []
         self._segment_actions: list[QAction] = []
+        self._menu_fillers: list[Callable[[QMenu, Strip, QPoint], object]] = []
         self._saving = StripSaving(desk, self)
         self._splitter = QSplitter(Qt.Orientation.Vertical, self)
         self._splitter.setChildrenCollapsible(False)
         self._splitter.setHandleWidth(1)
         self.card = RangeCard(desk.quantities, self)
         self._buttons: list[tuple[QToolButton, str]] = []
+        self._menus: list[tuple[str, Callable[[QMenu], None]]] = []
         self._put_together()
         for strip in (self.curvature, self.gradient, self.elevation):
             self.add_strip(strip)
@@ -94,6 +98,10 @@ class StripStack(QWidget):
         for action in actions:
             self.addAction(action)
 
+    def add_to_menu(self, fill: Callable[[QMenu, Strip, QPoint], object]) -> None:
+        """Have a function put more into the context menu of a strip, for a point of it."""
+        self._menu_fillers.append(fill)
+
     def select_range(self, first: float, last: float) -> None:
         """Show the figures of a stretch."""
         value = self._now.value
@@ -106,7 +114,14 @@ class StripStack(QWidget):
             strip.selected_range = (figures.start, figures.end)
             strip.update()
         self.card.show_figures(figures)
+        self._desk.selection.stretch = (figures.start, figures.end)
         self.range_selected.emit(figures.start, figures.end)
+
+    def add_menu(self, icon_name: str, text: str, fill: Callable[[QMenu], None]) -> None:
+        """Put a button with a menu below the others, and the menu into the context menu too."""
+        self._menus.append((text, fill))
+        button = self._tool(icon_name, text, lambda: self._show_menu(button, fill))
+        self._tools.insertWidget(self._tools.count() - 1, button)
 
     def clear_range(self) -> bool:
         """Select no stretch; return whether there was one."""
@@ -115,6 +130,7 @@ class StripStack(QWidget):
             strip.selected_range = None
             strip.update()
         self.card.show_figures(None)
+        self._desk.selection.stretch = None
         return had
 
     def fit(self) -> None:
@@ -178,7 +194,7 @@ class StripStack(QWidget):
             self.card.refresh_icons()
 
     def _put_together(self) -> None:
-        tools = QVBoxLayout()
+        tools = self._tools = QVBoxLayout()
         tools.setContentsMargins(3, 4, 3, 4)
         tools.setSpacing(2)
         for name, text, do in (
@@ -187,15 +203,8 @@ class StripStack(QWidget):
             ("zoom-out", self.tr("Zoom out (−)"), lambda: self._zoom(1 / _NOTCH)),
             ("export", self.tr("Save a strip as picture or table"), self._show_save_menu),
         ):
-            button = QToolButton(self)
-            button.setIcon(icon(name))
-            button.setAutoRaise(True)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            button.setToolTip(text)
-            button.setAccessibleName(text)
-            button.clicked.connect(do)
-            tools.addWidget(button)
-            self._buttons.append((button, name))
+            tools.addWidget(self._tool(name, text, do))
+        self._save_button = self._buttons[-1][0]
         tools.addStretch(1)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -205,12 +214,24 @@ class StripStack(QWidget):
         row.addWidget(self.card)
         self.card.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Preferred)
 
+    def _tool(self, name: str, text: str, do: Callable[[], object]) -> QToolButton:
+        button = QToolButton(self)
+        button.setIcon(icon(name))
+        button.setAutoRaise(True)
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.setToolTip(text)
+        button.setAccessibleName(text)
+        button.clicked.connect(do)
+        self._buttons.append((button, name))
+        return button
+
     def _connect(self) -> None:
         selection = self._desk.selection
         self._now.changed.connect(self._follow)
         selection.station_changed.connect(self._mark_station)
         selection.segments_changed.connect(self._on_selection)
         selection.boundary_changed.connect(self._on_selection)
+        selection.stretch_changed.connect(self._on_stretch)
         self._desk.quantities.changed.connect(self._mark_station)
         self._desk.session.document_changed.connect(self._on_document)
         self._desk.session.changed.connect(self.let_go)
@@ -230,6 +251,15 @@ class StripStack(QWidget):
     def _on_selection(self) -> None:
         for strip in self._strips:
             strip.update()
+
+    def _on_stretch(self) -> None:
+        stretch = self._desk.selection.stretch
+        if stretch == self.curvature.selected_range:
+            return
+        if stretch is None:
+            self.clear_range()
+        else:
+            self.select_range(*stretch)
 
     def _on_document(self) -> None:
         self.clear_range()
@@ -284,20 +314,31 @@ class StripStack(QWidget):
         for action in self._segment_actions:
             if action.isEnabled():
                 menu.addAction(action)
+        strip = self._strip_at(at)
+        menu.addSeparator()
+        for fill in self._menu_fillers:
+            fill(menu, strip, strip.mapFromGlobal(at))
         menu.addSeparator()
         menu.addAction(icon("fit-all"), self.tr("Show the whole line"), self.fit)
         if self.curvature.selected_range is not None:
             menu.addAction(self.tr("Close the selected stretch"), self.clear_range)
         menu.addSeparator()
-        self._saving.fill_menu(menu, self._strip_at(at))
+        for text, fill_one in self._menus:
+            fill_one(menu.addMenu(text))
+        self._saving.fill_menu(menu, strip)
         return menu
 
     def _show_save_menu(self) -> None:
+        def fill(menu: QMenu) -> None:
+            for strip in self._strips:
+                self._saving.fill_menu(menu.addMenu(strip.title), strip)
+
+        self._show_menu(self._save_button, fill)
+
+    def _show_menu(self, button: QToolButton, fill: Callable[[QMenu], None]) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        for strip in self._strips:
-            self._saving.fill_menu(menu.addMenu(strip.title), strip)
-        button = self._buttons[-1][0]
+        fill(menu)
         menu.popup(button.mapToGlobal(QPoint(button.width(), 0)))
 
     def _strip_at(self, at: QPoint) -> Strip:

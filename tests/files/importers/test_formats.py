@@ -205,3 +205,18 @@ def test_a_preview_of_a_long_line_has_200_points_and_both_ends(tmp_path):
     found = preview(path)
     assert len(found.thumbnail) == 200
     assert found.thumbnail[[0, -1], 0].tolist() == [0.0, 4999.0]
+
+
+def test_a_drawing_is_read_without_a_look_at_fonts_and_leaves_nothing_in_the_home(tmp_path, monkeypatch):
+    home, temporary = tmp_path / "home", tmp_path / "temporary"
+    for folder in (home, temporary):
+        folder.mkdir()
+    for name in ("HOME", "USERPROFILE"):
+        monkeypatch.setenv(name, str(home))
+    for name in ("TMPDIR", "TEMP", "TMP"):
+        monkeypatch.setenv(name, str(temporary))
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    drawing = tmp_path / "plan.dxf"
+    drawing.write_bytes(made.ALL["dxf"]())
+    assert len(read_line(drawing).polyline.vertices) == len(made.PLAN)
+    assert [path for path in tmp_path.rglob("*") if path not in (home, temporary, drawing)] == []

@@ -1,7 +1,10 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from bobdesk.files.project_file import load_project, save_project
 from bobdesk.project.record import COLUMNS
 from bobdesk.ui.plots.convergence import ConvergencePlot
 from bobdesk.ui.plots.convergence_data import NOTHING, SERIES, ConvergenceData, extremes, logarithms
@@ -76,6 +79,28 @@ def test_data_grows_and_ends_at_the_last_iterate(inputs):
     assert set(SERIES) >= {"objective", "length", "drop", "optimality", "step", "scale"}
 
 
+def test_however_many_iterates_are_drawn_from_blocks_as_from_all_of_them(inputs):
+    objective = np.exp(np.random.default_rng(1).normal(size=40_000))
+    objective[[100, 12_345, 39_999]] = 1e9, 0.0, 1e-9
+    objective[20_000:20_200] = np.nan
+    data = ConvergenceData(inputs)
+    for start in range(0, 40_000, 777):
+        data.add(rows(objective)[start : start + 777])
+    for first, last in ((0, 40_000), (70, 39_000), (12_340, 12_350), (20_010, 20_100), (13, 39_999)):
+        logs = logarithms(objective[first:last])
+        drawn = logs[np.isfinite(logs) & (logs > NOTHING)]
+        expected = (drawn.min(), drawn.max()) if len(drawn) else None
+        assert data.range_of("objective", first, last) == expected
+    for columns in (100, 400):
+        x, y = data.curve("objective", 0, 40_000, columns)
+        assert len(x) <= 2 * columns
+        assert (np.diff(x) >= 0).all()
+        assert np.nanmin(y) == NOTHING
+        assert np.nanmax(y) == 9.0
+        peak = x[np.nanargmax(y)]
+        assert abs(peak - 100) <= 40_000 / columns + 64
+
+
 def test_zoom_holds_and_double_click_follows(qtbot, inputs):
     plot = ConvergencePlot()
     qtbot.addWidget(plot)
@@ -104,14 +129,36 @@ def test_the_end_of_the_curve_is_the_reported_objective_and_iterates_can_be_seen
     part.plot.chosen.emit(run.nit // 2)
     assert shown.scrubbed is not None
     assert shown.line is not end
-    assert f"{shown.scrubbed.number:,}" in part.reading.text()
+    assert f"{int(run.iterates.numbers[shown.scrubbed]):,}" in part.reading.text()
     part.plot.setFocus()
     qtbot.keyClick(part.plot, Qt.Key.Key_End)
     assert shown.scrubbed is None
 
 
-def test_a_run_from_a_file_shows_its_way_without_lines(desk, qtbot):
-    desk.session.open(full_project(), None)
+def test_iterates_of_a_run_from_a_file_are_shown_too(desk, opened, solving, idle, qtbot, tmp_path):
+    solving.run()
+    idle()
+    save_project(desk.session.project, tmp_path / "run.bobdesk")
+    desk.session.open(load_project(tmp_path / "run.bobdesk"), None)
+    panel = Panel(desk)
+    qtbot.addWidget(panel)
+    part = ConvergencePart(panel)
+    idle()
+    run = desk.session.project.run
+    end = part.shown.line
+    part.plot.chosen.emit(run.nit // 2)
+    line = part.shown.line
+    assert line is not end
+    number = int(run.iterates.numbers[part.shown.scrubbed])
+    row = run.history[run.history[:, 0] == number][0]
+    assert line.slope_lengths[-1] == pytest.approx(row[3], rel=1e-9)
+    part.plot.chosen.emit(run.nit)
+    assert part.shown.line is end
+
+
+def test_a_run_of_an_older_file_shows_its_way_without_lines(desk, qtbot):
+    project = full_project()
+    desk.session.open(replace(project, runs=tuple(replace(run, iterates=None) for run in project.runs)), None)
     panel = Panel(desk)
     qtbot.addWidget(panel)
     part = ConvergencePart(panel)
@@ -119,4 +166,4 @@ def test_a_run_from_a_file_shows_its_way_without_lines(desk, qtbot):
     assert part.plot.data.count == len(run.history)
     part.plot.chosen.emit(3)
     assert part.plot.cursor_number == 3
-    assert "runs of this session" in part.reading.text()
+    assert "not in its file" in part.reading.text()

@@ -6,6 +6,7 @@ import pytest
 from bobdesk.files.project_file import save_project
 from bobdesk.progress import finish
 from bobdesk.project import edits
+from bobdesk.project.kept_iterates import FIRST_GRADIENT
 from bobdesk.project.new_run import new_run
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.panels.export_panel import ExportPanel
@@ -13,6 +14,12 @@ from bobdesk.ui.panels.solve_panel import SolvePanel
 from tests.project.made_projects import ready_project
 
 PICTURE = b"\x89PNG not really"
+
+
+def other_gradients(kept, factor):
+    table = kept.table.copy()
+    table[:, FIRST_GRADIENT:] *= factor
+    return replace(kept, table=table)
 
 
 @pytest.fixture(scope="module")
@@ -34,6 +41,7 @@ def fifty():
         own = replace(
             run, name=f"Run {number + 1}", history=run.history + 0.0, gradients=run.gradients + 1e-9 * number,
             layout=replace(run.layout),
+            iterates=other_gradients(run.iterates, 1 + 1e-9 * number),
         )  # fmt: skip
         project = edits.keep_run(project, own)
     return project

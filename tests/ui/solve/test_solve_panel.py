@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 
 from bobdesk.project import edits
@@ -199,6 +199,27 @@ def test_runs_are_shown_renamed_deleted_and_brought_back(desk, panel, solving, i
     idle()
 
 
+def test_the_copied_table_is_read_by_a_spreadsheet_of_the_same_country(desk, panel, solving, idle, qtbot):
+    QLocale.setDefault(QLocale(QLocale.Language.German, QLocale.Country.Germany))
+    german = QLocale()
+    for drop in (60.0, 60.5):
+        desk.session.apply("Drop", lambda project, drop=drop: edits.set_drop(project, drop))
+        solving.run()
+        idle()
+    desk.session.apply("Rename", lambda project: edits.name_run(project, 0, "1.234"))
+    panel.runs.table.selectRow(1)
+    panel.runs.baseline_button.click()
+    idle()
+    panel.runs.copy()
+    rows = [line.split("\t") for line in QGuiApplication.clipboard().text().splitlines()]
+    assert len({len(row) for row in rows}) == 1
+    assert rows[1][0] == "1.234", "a name stays as it is"
+    length, drop = german.toDouble(rows[2][1]), german.toDouble(rows[1][2].removeprefix("+"))
+    assert length == (pytest.approx(desk.session.project.runs[1].figures.length, abs=0.006), True)
+    assert drop == (pytest.approx(-0.5, abs=0.006), True)
+    assert "−" not in "".join(cell for row in rows[1:3] for cell in row[:8])
+
+
 def test_overlay_baseline_and_copy(desk, panel, solving, idle):
     solving.run()
     desk.session.apply("Drop", lambda project: edits.set_drop(project, project.targets.drop + 2))
@@ -234,7 +255,7 @@ def test_out_of_date_is_said_with_what_has_changed(desk, panel, solving, idle):
 
 
 def test_settings_of_the_method(desk, panel, idle):
-    panel.method.more.setChecked(True)
+    panel.method.fold.set_open(True)
     assert panel.method._pgd.isVisible()
     panel.method.transition.setValue(12.0)
     assert desk.session.project.solver.pgd.transition == 12.0

@@ -1,10 +1,12 @@
+import threading
 import time
 
 import pytest
 from PySide6.QtCore import QObject
 
 from bobdesk.project import edits
-from bobdesk.project.derive_runs import why_out_of_date
+from bobdesk.project.derive_runs import iterate_line, run_line, why_out_of_date
+from bobdesk.solve.objective import PublishedObjective
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.notices import Notices
@@ -33,7 +35,7 @@ def test_every_iterate_is_counted(desk, opened, solving, idle):
     solving.run()
     idle()
     assert records[-1].count == desk.session.project.run.nit
-    assert solving.journey_of(desk.session.project.run).record is records[-1]
+    assert solving.record_of(desk.session.project.run) is records[-1]
 
 
 def test_the_project_can_be_edited_meanwhile_and_the_result_is_then_out_of_date(desk, endless, solving, until, idle):
@@ -65,6 +67,66 @@ def test_pause_and_stop_act_within_a_tenth_of_a_second(desk, endless, solving, u
     until(lambda: not solving.is_running)
     assert time.perf_counter() - began < 0.1 + 0.1, "stopped, drawn and kept"
     assert desk.session.project.run.message.startswith("Stopped by hand")
+
+
+@pytest.fixture
+def evaluations(monkeypatch):
+    """How often the published objective has been evaluated; each takes a while, as on a long track."""
+    counted = []
+
+    def slow(evaluate):
+        def counting(self, *values, **others):
+            counted.append(1)
+            time.sleep(0.002)
+            return evaluate(self, *values, **others)
+
+        return counting
+
+    for name in ("value", "value_and_derivative"):
+        monkeypatch.setattr(PublishedObjective, name, slow(getattr(PublishedObjective, name)))
+    return counted
+
+
+@pytest.mark.parametrize("method", ["slsqp", "lbfgsb", "trustconstr", "de"])
+def test_methods_of_scipy_rest_and_stop_at_their_next_evaluation(desk, opened, solving, until, evaluations, method):
+    desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method=method)))
+    solving.run()
+    until(lambda: len(evaluations) > 5)
+    solving.pause()
+    time.sleep(0.02)
+    count = len(evaluations)
+    time.sleep(0.05)
+    assert len(evaluations) == count, "it rests, in the middle of a generation too"
+    solving.resume()
+    until(lambda: len(evaluations) > count)
+    count = len(evaluations)
+    solving.stop()
+    until(lambda: not solving.is_running)
+    assert len(evaluations) <= count + 2 + 2, "the one under way, and those of the iterate that it led to"
+    run = desk.session.project.run
+    assert run.message.startswith("Stopped by hand")
+    assert run.objective == min(run.history[:, 2])
+
+
+@pytest.mark.parametrize("method", ["slsqp", "lbfgsb", "trustconstr", "de"])
+def test_iterates_of_scipys_methods_are_shown_as_they_come(desk, opened, solving, until, evaluations, method):
+    desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method=method)))
+    counts = []
+    solving.advanced.connect(lambda: counts.append(solving.record.count))
+    solving.run()
+    until(lambda: len(set(counts)) > 2)
+    assert solving.is_running
+    solving.stop()
+    until(lambda: not solving.is_running)
+
+
+def test_closing_while_a_method_of_scipy_rests_is_clean(desk, opened, solving, until, evaluations):
+    desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method="de")))
+    solving.run()
+    until(lambda: len(evaluations) > 5)
+    solving.pause()
+    desk.runner.close()
+    assert not [thread for thread in threading.enumerate() if thread.name == "a method at work"]
 
 
 def test_single_steps(desk, endless, solving, until):
@@ -140,17 +202,18 @@ def test_closing_during_a_run_is_clean_fifty_times(qapp, tmp_path):
         qapp.processEvents()
 
 
-@pytest.mark.parametrize("method", ["pgd", "published"])
+@pytest.mark.parametrize("method", ["pgd", "published", "slsqp", "de"])
 def test_lines_of_kept_iterates_can_be_drawn(desk, opened, solving, idle, method):
-    from bobdesk.ui.solving import line_of
-
     desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method=method)))
     solving.run()
     idle()
     run = desk.session.project.run
-    journey = solving.journey_of(run)
-    kept = journey.record.kept
-    assert len(kept) <= 200
-    for iterate in (kept[0], kept[len(kept) // 2]):
-        line = line_of(journey.line, journey.inputs, iterate)
-        assert line.slope_lengths[-1] == pytest.approx(iterate.length, rel=1e-6)
+    rows = solving.record_of(run).rows()
+    kept = run.iterates
+    assert len(kept.table) <= 200
+    assert kept.numbers[0] == 0
+    assert kept.numbers[-1] == rows[-1, 0]
+    for row in (0, len(kept.table) // 2, len(kept.table) - 1):
+        line = iterate_line(run, row)
+        assert line.slope_lengths[-1] == pytest.approx(rows[int(kept.numbers[row]), 3], rel=1e-6)
+    assert iterate_line(run, len(kept.table) - 1).elevations == pytest.approx(run_line(run).elevations, abs=1e-9)

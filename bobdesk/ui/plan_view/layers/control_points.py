@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QPointF, QRectF, Qt
+from PySide6.QtCore import QCoreApplication, QLocale, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPolygonF
 
 from bobdesk.plan.control_points import KnownDistance
@@ -147,7 +147,7 @@ def _draw_residuals(painter: QPainter, frame: Frame, project: Project) -> None:
     factor = max(1.0, _LONGEST_ARROW / longest)
     if factor >= 1.5:
         words = QCoreApplication.translate("ControlPointsLayer", "Residuals lengthened {factor} times")
-        _draw_words(painter, words.format(factor=f"{factor:,.0f}"), frame)
+        _draw_words(painter, words.format(factor=QLocale().toString(round(factor))), frame)
     for point, residual in zip(project.control_points, fit.points, strict=True):
         start = frame.point((point.x_px, point.y_px))
         way = QPointF(-residual.dx_px, -residual.dy_px) * frame.scale * factor

@@ -1,0 +1,3 @@
+@echo off
+set "PATH=%~dp0;%PATH%"
+bobdesk --help
