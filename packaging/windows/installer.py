@@ -66,6 +66,8 @@ def write_side_picture(icons: Path, work: Path) -> Path:
     picture.paste(sign, ((_SIDE_PX[0] - sign.width) // 2, _SIDE_PX[1] // 6), sign)
     path = work / "side.bmp"
     picture.save(path)
+    # The date of each file goes along.
+    os.utime(path, (identity.source_date_epoch(),) * 2)
     return path
 
 
