@@ -38,6 +38,7 @@ class PlanView(Canvas):
         self.desk = desk
         self.setObjectName("plan_view")
         self.setAccessibleName(self.tr("Plan"))
+        self.viewport().setAccessibleName(self.tr("Plan"))
         self.setAccessibleDescription(self.tr("The same vertices and points stand in the tables of the panels."))
         self.tools = ToolBox(desk, self)
         self.layers = LayerStack(desk, self.scene(), self.frame_now, self.tools)

@@ -74,7 +74,7 @@ class SegmentsTable(Table):
 
     def _fit(self) -> None:
         widest = max((word for _, word in self.segments.kinds()), key=len)
-        samples = [_SAMPLES.get(self._name(number), f"MMMM {widest}") for number in range(self.segments.columnCount())]
+        samples = [_SAMPLES.get(self._name(number), f"MMM {widest}") for number in range(self.segments.columnCount())]
         self.fit_columns(tuple(samples))
 
     def _name(self, number: int) -> str:
