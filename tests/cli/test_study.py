@@ -160,6 +160,16 @@ def test_a_cluster_that_does_not_answer_is_one_sentence(call):
     assert "no Dask scheduler answers" in call.refused(*arguments, status=3)
 
 
+@pytest.mark.parametrize("address", ["nonsense://nowhere", "nowhere.invalid"])
+def test_an_address_of_no_kind_is_one_sentence_to_the_very_end_of_the_program(call, address):
+    arguments = ("study", call.plan, *TARGETS, "-o", call.path("t.csv"), "--dask", address)
+    ended = subprocess.run(
+        [sys.executable, "-m", "bobdesk", *map(str, arguments)], capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    assert ended.returncode == 3
+    assert ended.stderr == f"bobdesk: no Dask scheduler answers at {address}.\n"
+
+
 # What the cluster itself warns of at its end is its own affair.
 @pytest.mark.filterwarnings("ignore")
 def test_a_local_cluster_of_two_workers_gives_the_same_table(finished, call, monkeypatch):

@@ -67,7 +67,7 @@ def test_every_name_in_the_installer_has_a_value():
     from installer import defined
 
     own = set(re.findall(r"^!define (\w+)", script(), re.MULTILINE))
-    handed_over = {*defined("1.0"), "SIZE_KB", "LICENCE_FILE", "ICON", "FILES", "OUT", "SIGN"}
+    handed_over = {*defined("1.0"), "SIZE_KB", "LICENCE_FILE", "ICON", "SIDE_PICTURE", "FILES", "OUT", "SIGN"}
     used = set(re.findall(r"\$\{([A-Z_0-9]+)\}", script()))
     assert used - own == handed_over
 

@@ -20,8 +20,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from bobdesk.project import edits
+from bobdesk.solve.settings import SolverSettings
 from bobdesk.solve.targets import KnownElevation
 from bobdesk.ui.main_window import MainWindow
+from bobdesk.ui.plots.convergence import ConvergencePlot
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.solving import solving_of
 from bobdesk.ui.theme import apply_theme
@@ -45,7 +47,7 @@ class Gestures:
         self._chance = chance
         self._kinds: tuple[Callable[[], None], ...] = (
             self._trigger, self._trigger, self._target, self._go, self._undo, self._key, self._known, self._space,
-            self._run,
+            self._run, self._steer, self._scrub, self._method,
         )  # fmt: skip
 
     def one(self) -> str:
@@ -90,6 +92,21 @@ class Gestures:
     def _run(self) -> None:
         solving = solving_of(self._window.desk)
         solving.run() if solving.waiting < 2 else solving.stop()
+
+    def _steer(self) -> None:
+        solving = solving_of(self._window.desk)
+        self._chance.choice((solving.pause, solving.resume, solving.step, solving.stop, solving.drop_waiting))()
+
+    def _scrub(self) -> None:
+        for plot in self._window.findChildren(ConvergencePlot):
+            plot.chosen.emit(self._chance.randrange(0, 300))
+
+    def _method(self) -> None:
+        methods = ("pgd", "pgd", "published", "slsqp", "lbfgsb", "trustconstr", "de")
+        # The published method in tiny steps takes until it is stopped.
+        rate = self._chance.choice((None, 1e-12))
+        settings = SolverSettings(method=self._chance.choice(methods), rate=rate, threshold=1e-9)
+        self._window.desk.session.apply("Method", lambda project: edits.set_solver(project, settings))
 
 
 def resident() -> float:

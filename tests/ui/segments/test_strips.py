@@ -6,9 +6,12 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog
 
 from bobdesk.files.project_file import load_project
+from bobdesk.ui.questions import Questions
 from bobdesk.ui.segments.operations import operations
+from bobdesk.ui.segments.segment_files import SegmentFiles
 from bobdesk.ui.strips.contents import Curve, Marks, decimated
 from bobdesk.ui.strips.station_axis import StationAxis, ticks
 from bobdesk.ui.strips.strip import Strip
@@ -247,6 +250,24 @@ def test_a_strip_is_saved_as_picture_drawing_and_table(stack, tmp_path, desk, to
     assert (tmp_path / "c.svg").read_bytes().startswith(b"<?xml")
     assert not stack._saving.save(stack.curvature, tmp_path / "nowhere" / "c.csv", ".csv")
     assert "cannot be written" in told[-1]
+
+
+def test_where_to_save_is_asked_in_the_way_that_asks_before_it_overwrites(stack, tmp_path, monkeypatch, window):
+    def unasked(*_arguments):
+        pytest.fail("a name typed without its ending would overwrite a file unasked")
+
+    endings = []
+
+    def asked(_questions, purpose, _title, name, _filters, ending):
+        endings.append((purpose, name, ending))
+        return tmp_path / f"{name}{ending}"
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", unasked)
+    monkeypatch.setattr(Questions, "file_to_save", asked)
+    stack._saving.ask(stack.curvature, ".csv")
+    SegmentFiles(stack._desk, window).ask_save()
+    assert endings == [("export", "curvature", ".csv"), ("export", "segments", ".csv")]
+    assert {path.name for path in tmp_path.glob("*.csv")} == {"curvature.csv", "segments.csv"}
 
 
 def test_the_context_menu_saves_and_fits(stack, qtbot):
