@@ -28,6 +28,7 @@ def coarse(monkeypatch):
 
     monkeypatch.setattr(derive_open, "_MOST_CELLS", 30)
     monkeypatch.setattr(next_elevation, "_MOST_CELLS", 30)
+    monkeypatch.setattr(next_elevation, "_PROFILES", 100)
 
 
 @pytest.fixture
