@@ -76,6 +76,11 @@ def _change(_context: click.Context, _option: click.Parameter, value: float | No
     help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m.",
     show_default="a project's, else no limit",
 )
+@click.option(
+    "--advice/--no-advice",
+    default=True,
+    help="With --envelope, say where one more known elevation would help most; that takes some seconds.",
+)
 @open_data_options
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
 @strict_option
@@ -91,6 +96,7 @@ def command(
     report: Path | None,
     band: Path | None,
     gradient_change: float | None,
+    advice: bool,
     picture: Path | None,
     strict: bool,
     **options: Any,
@@ -141,10 +147,10 @@ def command(
     change = given.gradient_change if gradient_change is None else gradient_change
     if band is not None or picture is not None:
         shown = _band(given, solution, change)
-    advice: NextElevation | None = None
+    where: NextElevation | None = None
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
-        advice = _advice(given, solution, line, change)
+        where = _advice(given, solution, line, change) if advice else None
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
@@ -154,8 +160,8 @@ def command(
     if report is not None:
         off = deviations(found, given.asked)
         said = run_report(given, possible, solution, line, found, off, seconds)
-        if advice is not None:
-            said["next_known_elevation"] = advice_report(given, solution, advice)
+        if where is not None:
+            said["next_known_elevation"] = advice_report(given, solution, where)
         files[report] = to_json(said)
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
@@ -163,8 +169,8 @@ def command(
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
-    if advice is not None:
-        click.echo(_advised(given, solution, advice))
+    if where is not None:
+        click.echo(_advised(given, solution, where))
     for sentence in sentences:
         click.echo(sentence)
 

@@ -69,3 +69,11 @@ def test_a_plan_error_that_is_no_share_is_refused(call, number):
     asked = ("--error-budget", call.path("b.csv"), "--plan-error", number)
     sentence = call.refused("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), *asked, status=2)
     assert "between 0 and 0.5" in sentence
+
+
+def test_advice_can_be_left_out(call):
+    arguments = ("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--envelope", call.path("e.csv"))
+    said = call(*arguments, "--no-advice")
+    assert said.status == 0, said.err
+    assert "help most" not in said.out
+    assert call.path("e.csv").exists()
