@@ -7,7 +7,6 @@ import time
 from collections import deque
 from collections.abc import Callable, Generator
 from typing import TYPE_CHECKING
-from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Signal
 
@@ -30,6 +29,8 @@ _TELL_EVERY_S = 0.1
 _SHOWING_SHARE = 0.02
 # The solver waits for a picture no longer than this.
 _PATIENCE_S = 0.1
+# Of how many finished runs every iterate's figures are held: a long run has 13 MB of them.
+_MOST_RECORDS = 3
 
 
 class _Control:
@@ -125,7 +126,7 @@ class Solving(QObject):
         self._job: Job | None = None
         self._control: _Control | None = None
         self._waiting: deque[_Control] = deque()
-        self._records: WeakKeyDictionary[Layout, IterateRecord] = WeakKeyDictionary()
+        self._records: deque[tuple[Layout, IterateRecord]] = deque(maxlen=_MOST_RECORDS)
         self._told = 0.0
         self._wait = _TELL_EVERY_S
         self._rate_from = (0.0, 0)
@@ -216,13 +217,14 @@ class Solving(QObject):
     def drop_all(self) -> None:
         """End all runs and keep none of them: they belong to another document."""
         self._waiting.clear()
+        self._records.clear()
         self._control = None
         if self._job is not None:
             self._job.stop()
 
     def record_of(self, run: Run) -> IterateRecord | None:
-        """Return the figures of every iterate of a run of this session; others have 2,000 of them at most."""
-        return self._records.get(run.layout)
+        """Return the figures of every iterate of one of the last runs; others have 2,000 of them at most."""
+        return next((record for layout, record in self._records if layout is run.layout), None)
 
     def newest_line(self) -> Centreline3D | None:
         """Return the 3D line of the newest iterate of the run that works."""
@@ -284,7 +286,7 @@ class Solving(QObject):
         control = self._control
         if control is None:
             return
-        self._records[run.layout] = control.record
+        self._records.append((run.layout, control.record))
         self.advanced.emit()
         label = self.tr("Solve, {name}").format(name=run.name)
         if self._desk.session.apply(label, lambda project: edits.keep_run(project, run)):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.benchmarks import canvas, live_plots, openness, responsiveness, segments, solvers, studies, tracing
+from tests.benchmarks import canvas, live_plots, openness, responsiveness, segments, solvers, steering, studies, tracing
 from tests.benchmarks.measure import print_table
 
 
@@ -17,6 +17,7 @@ def main() -> None:
     print_table("Frames of a 12000 × 8400 picture, ms of processor", canvas.rows())
     print_table("Lateness of a 5 ms timer of the window while work runs, ms", responsiveness.rows())
     live_plots.main()
+    steering.main()
     print_table("A boundary is dragged: ms of processor a frame", segments.rows())
 
 

@@ -15,9 +15,9 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QDialog
 
 from bobdesk.project import edits
 from bobdesk.solve.settings import SolverSettings
@@ -118,6 +118,12 @@ def resident() -> float:
     return pages * resource.getpagesize() / 1e6
 
 
+def _refuse() -> None:
+    asking = QApplication.activeModalWidget()
+    if isinstance(asking, QDialog):
+        asking.reject()
+
+
 def main(arguments: list[str]) -> int:
     """Return 0 if nothing went wrong."""
     parser = argparse.ArgumentParser(description="Random actions in a whole window.")
@@ -138,6 +144,10 @@ def main(arguments: list[str]) -> int:
         window.open_file(FILES[0])
         QTest.qWait(1500)
         gestures = Gestures(window, chance)
+        # Whatever asks something while nobody is there gets no for an answer.
+        refusal = QTimer()
+        refusal.timeout.connect(_refuse)
+        refusal.start(200)
         done = ""
         while time.monotonic() - began < options.seconds and not faults:
             done = gestures.one()
@@ -149,6 +159,7 @@ def main(arguments: list[str]) -> int:
                 # The first third fills caches and the history of undo.
                 if time.monotonic() - began < options.seconds / 3:
                     early = max(early, memory)
+        refusal.stop()
         window._may_close = True
         window.close()
         QTest.qWait(200)

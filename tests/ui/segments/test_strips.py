@@ -113,6 +113,16 @@ def test_a_dragged_boundary_snaps_to_the_threshold_but_not_with_alt(desk, now, s
     assert now.segments[boundary].end != crossing
 
 
+def test_a_boundary_that_stops_before_the_threshold_is_not_said_to_be_there(desk, now, stack):
+    crossing = float(now.value.crossings()[5])
+    boundary = int(np.argmin([abs(segment.end - crossing) for segment in now.segments[:-1]])) - 1
+    assert stack.drag.hold(boundary)
+    stack.drag.drag(crossing + 0.5, snap=5.0)
+    assert stack.drag.station == pytest.approx(now.known.segments[boundary + 1].end - 3.0)
+    assert not stack.drag.snapped
+    stack.drag.cancel()
+
+
 def test_escape_puts_a_dragged_boundary_back(desk, now, stack):
     before = now.segments
     strip = stack.curvature
