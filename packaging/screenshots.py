@@ -85,6 +85,8 @@ def one(theme: str, folder: Path) -> None:
         window.go_to(step)
         work(quiet, 0.8)
         take(f"step-{number}-{step.lower()}", window)
+        if step == "Segments":
+            as_seen_without_green(folder / f"step-{number}-{step.lower()}.png")
     for name in open_data(window):
         work(quiet, 0.8)
         take(name, window)
@@ -105,6 +107,19 @@ def one(theme: str, folder: Path) -> None:
         take(f"guide-{page.removesuffix('.md')}", window.guide.window)
     window.leave()
     QApplication.processEvents()
+
+
+def as_seen_without_green(picture: Path) -> None:
+    """Put a picture beside one, as a person with deuteranopia sees it (Machado and others, 2009)."""
+    import numpy as np
+    from PIL import Image
+
+    mixed = np.array([[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.01182, 0.04294, 0.968881]])
+    shown = np.asarray(Image.open(picture).convert("RGB")) / 255
+    linear = np.where(shown <= 0.04045, shown / 12.92, ((shown + 0.055) / 1.055) ** 2.4)
+    seen = np.clip(linear @ mixed.T, 0, 1)
+    seen = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1 / 2.4) - 0.055)
+    Image.fromarray(np.rint(255 * seen).astype(np.uint8)).save(picture.with_stem(f"{picture.stem}-deuteranopia"))
 
 
 def open_data(window: object) -> Iterator[str]:

@@ -67,7 +67,8 @@ def best_offset(design: DesignList, segments: Segments) -> float:
     """
     if not segments:
         return 0.0
-    length = max(segments[-1].end, design.curves[-1].end)
+    # What lies so far behind our line that no offset brings it there says nothing, and one wrong digit can be 10^9 m.
+    length = max(segments[-1].end, min(design.curves[-1].end, segments[-1].end + _FARTHEST * _GRID))
     stations = np.arange(0.0, length, _GRID)
     ours, theirs = np.full(len(stations), -1.0), np.full(len(stations), -1.0)
     for segment in segments:

@@ -172,7 +172,7 @@ def set_locked(segments: Segments, index: int, *, locked: bool) -> Segments:
 
 def rename(segments: Segments, index: int, name: str) -> Segments:
     """Give a segment a name, or take it away with an empty one."""
-    return _with(segments, index, replace(segments[index], name=name.strip()))
+    return _with(segments, index, replace(segments[index], name=" ".join(name.split())))
 
 
 def number_curves(segments: Segments) -> Segments:

@@ -9,10 +9,11 @@ from typing import Any
 
 import click
 
-from bobdesk.cli.options import FILE, combined
+from bobdesk.cli.options import FILE, combined, within
 from bobdesk.cli.steps import with_progress
 from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import watched_methods
+from bobdesk.project.target_edits import LARGEST_PLAN_ERROR
 from bobdesk.solve.settings import SolverSettings
 
 open_data_options = combined(
@@ -30,7 +31,8 @@ open_data_options = combined(
     ),
     click.option(
         "--plan-error",
-        type=click.FloatRange(0, 0.5),
+        type=float,
+        callback=within(0, LARGEST_PLAN_ERROR),
         metavar="SHARE",
         show_default="a project's own or its calibration's; else it counts as 0",
         help="1 sigma of the plan's scale for the error budget: 0.002 is 0.2 %.",

@@ -50,7 +50,7 @@ def combined(*decorators: Callable[[Function], Function]) -> Callable[[Function]
     return lambda function: reduce(lambda inner, decorate: decorate(inner), reversed(decorators), function)
 
 
-def _within(lowest: float, highest: float) -> Callable[..., float | None]:
+def within(lowest: float, highest: float) -> Callable[..., float | None]:
     """Return a check that an option's number lies within limits; NaN does not."""
 
     def check(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
@@ -68,14 +68,14 @@ plan_options = combined(
         "--spacing",
         type=float,
         show_default="1, or a project's",
-        callback=_within(0.1, 10),
+        callback=within(0.1, 10),
         help="Distance between stations (rows of the result), m.",
     ),
     click.option(
         "--wavelength",
         type=float,
         show_default="15, or a project's",
-        callback=_within(0, 200),
+        callback=within(0, 200),
         help="Smoothing: waves shorter than this are taken for noise, m. 20 suits clicks by hand, 0 is none.",
     ),
 )
@@ -87,7 +87,7 @@ segment_options = combined(
     click.option(
         "--threshold",
         type=float,
-        callback=_within(1e-5, 1),
+        callback=within(1e-5, 1),
         help="Curvature (1 / radius) that parts straight from curve, 1/m; automatic without.",
     ),
 )

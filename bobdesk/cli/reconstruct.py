@@ -30,6 +30,7 @@ from bobdesk.files.atomic import write_all
 from bobdesk.files.exporters.tables import envelope_table, line_table
 from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import solve_with_plugins, solver_methods
+from bobdesk.project.target_edits import STEEPEST_CHANGE
 from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.envelope import Envelope, between_stations, envelope, smooth_envelope
 from bobdesk.solve.feasibility import Feasibility, feasibility
@@ -40,6 +41,12 @@ from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
+
+
+def _change(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
+    if value is not None and not 0 < value <= STEEPEST_CHANGE:
+        raise click.BadParameter(f"it must be more than 0 and at most {STEEPEST_CHANGE:g} per metre, not {value:g}.")
+    return value
 
 
 @click.command("reconstruct", cls=SeveralValues)
@@ -63,10 +70,16 @@ from bobdesk.track.figures import Figures, deviations, figures
 )
 @click.option(
     "--gradient-change",
-    type=click.FloatRange(min=0, min_open=True),
+    type=float,
+    callback=_change,
     metavar="PER_M",
     help="Largest change of the gradient per metre, 1/m, for the envelope: 0.002 is 2 % in 10 m.",
     show_default="a project's, else no limit",
+)
+@click.option(
+    "--advice/--no-advice",
+    default=True,
+    help="With --envelope, say where one more known elevation would help most; that takes some seconds.",
 )
 @open_data_options
 @click.option("--picture", type=FILE, metavar="P.png", help="Draw plan, gradient and elevation (.png, .svg or .pdf).")
@@ -83,6 +96,7 @@ def command(
     report: Path | None,
     band: Path | None,
     gradient_change: float | None,
+    advice: bool,
     picture: Path | None,
     strict: bool,
     **options: Any,
@@ -133,10 +147,10 @@ def command(
     change = given.gradient_change if gradient_change is None else gradient_change
     if band is not None or picture is not None:
         shown = _band(given, solution, change)
-    advice: NextElevation | None = None
+    where: NextElevation | None = None
     if band is not None and shown is not None:
         files[band] = envelope_table(shown)
-        advice = _advice(given, solution, line, change)
+        where = _advice(given, solution, line, change) if advice else None
     if picture is not None:
         from bobdesk.ui.plots.picture import draw_line
 
@@ -146,8 +160,8 @@ def command(
     if report is not None:
         off = deviations(found, given.asked)
         said = run_report(given, possible, solution, line, found, off, seconds)
-        if advice is not None:
-            said["next_known_elevation"] = advice_report(given, solution, advice)
+        if where is not None:
+            said["next_known_elevation"] = advice_report(given, solution, where)
         files[report] = to_json(said)
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
@@ -155,8 +169,8 @@ def command(
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)
-    if advice is not None:
-        click.echo(_advised(given, solution, advice))
+    if where is not None:
+        click.echo(_advised(given, solution, where))
     for sentence in sentences:
         click.echo(sentence)
 

@@ -118,9 +118,12 @@ def dask_executor(address: str) -> Iterator[Executor]:
     """
     try:
         distributed = importlib.import_module("distributed")
+        comm = importlib.import_module("distributed.comm")
     except ImportError as error:
         raise InputError("--dask needs the package distributed: install BobDesk with the extra [cluster]") from error
     try:
+        # A client that is given an address of no kind waits for itself when it is thrown away, and complains.
+        comm.resolve_address(address)
         client = distributed.Client(address, timeout=_DASK_WAITS, set_as_default=False)
     except (OSError, ValueError) as error:
         raise InputError(f"no Dask scheduler answers at {address}") from error

@@ -73,7 +73,9 @@ def lock_segments(project: Project, indices: Sequence[int], *, locked: bool = Tr
 
 def name_segment(project: Project, index: int, name: str) -> Project:
     """Give a segment the name or number that its curve has."""
-    return replace(project, segments=alignment.rename(_with_index(project, index), index, name))
+    found = _with_index(project, index)
+    named = alignment.rename(found, index, name)
+    return project if named == found else replace(project, segments=named)
 
 
 def number_curves(project: Project) -> Project:

@@ -81,7 +81,8 @@ def cone_of(at: FloatArray, anchors: Anchors, targets: Targets, *, scale: float 
     ahead = at[:, None] - known[None, :]
     fastest = np.where(ahead >= 0, targets.max_gradient, targets.min_gradient) * ahead
     slowest = np.where(ahead >= 0, targets.min_gradient, targets.max_gradient) * ahead
-    lowest: FloatArray = (elevations - tolerances - fastest).max(axis=1)
+    # Nothing lies below the lowest point, whatever the tolerance.
+    lowest: FloatArray = (np.maximum(elevations - tolerances, 0.0) - fastest).max(axis=1)
     highest: FloatArray = (elevations + tolerances - slowest).min(axis=1)
     return lowest, highest
 

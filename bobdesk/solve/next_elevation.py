@@ -18,7 +18,7 @@ from bobdesk.solve.targets import Targets
 # 2 % in 10 m; steeper only if the known elevations need it.
 USUAL_CHANGE = 0.002
 _STEEPEST_CHANGE = 10.0
-_PROFILES, _MOST_CELLS = 300, 150
+_PROFILES, _MOST_CELLS = 1000, 150
 _SURE = 1e-4
 
 

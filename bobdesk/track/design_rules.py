@@ -12,7 +12,7 @@ import numpy as np
 from bobdesk.arrays import BoolArray, FloatArray
 from bobdesk.errors import InputError
 from bobdesk.track.centreline3d import Centreline3D
-from bobdesk.track.input_errors import half_unit
+from bobdesk.track.rounding import half_unit
 from bobdesk.track.sled import GRAVITY, Ride, Sled, ride
 
 Quantity = Literal["length", "mean gradient", "gradient", "speed", "acceleration", "curves"]

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from decimal import Decimal
-from typing import TYPE_CHECKING
 
+from bobdesk.alignment.centreline import Centreline
+from bobdesk.alignment.length_error import length_sigma_of_vertices
 from bobdesk.solve.targets import Targets
-
-if TYPE_CHECKING:
-    from bobdesk.alignment.centreline import Centreline
+from bobdesk.track.rounding import half_unit
 
 
 @dataclass(frozen=True)
@@ -50,9 +48,6 @@ def input_errors(
     scale
         1 sigma of the plan's scale, as a share; None if nothing is known of it.
     """
-    # Imported here, for a project's rules count figures' decimal places before scipy is loaded.
-    from bobdesk.alignment.length_error import length_sigma_of_vertices
-
     distance = line.length / max(vertices - 1, 1)
     digitising = length_sigma_of_vertices(line, vertex_distance=distance, wavelength=wavelength)
     sources = {"digitising": digitising, "calibration": 0.0 if targets.unknown_scale else scale}
@@ -63,9 +58,3 @@ def input_errors(
         drop_rounding=half_unit(targets.drop),
         unknown=tuple(name for name, sigma in sources.items() if sigma is None),
     )
-
-
-def half_unit(figure: float) -> float:
-    """Return half a unit of the last decimal place that a figure has: 0.05 for 149.3, 0.5 for 1278."""
-    exponent = Decimal(repr(float(figure))).normalize().as_tuple().exponent
-    return 0.5 * 10.0 ** min(int(exponent), 0)

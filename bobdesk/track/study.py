@@ -176,6 +176,11 @@ def failed_row(cell: Cell, why: str, *, segments: int | None = None) -> tuple[st
     return (cell.key[0], cell.key[1], count, *cell.key[2:], *empty, FAILED, " ".join(why.split()))
 
 
+def percent_text(value: float) -> str:
+    """Return a deviation, %, as tables have it: what rounds to nothing has no sign."""
+    return f"{round(value, 6) + 0.0:.6f}"
+
+
 def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
     solution = finish(solve(task.centreline, task.segments, task.targets, task.settings, methods=methods))
     if not np.isfinite([solution.objective, solution.scale, *solution.gradients]).all():
@@ -194,9 +199,9 @@ def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
         f"{found.mean_gradient_segments:.6f}",
         f"{found.max_gradient:.6f}",
         f"{found.mean_curvature_difference:.8f}",
-        f"{off.length:.6f}",
-        f"{off.drop:.6f}",
-        "" if off.mean_gradient is None else f"{off.mean_gradient:.6f}",
+        percent_text(off.length),
+        percent_text(off.drop),
+        "" if off.mean_gradient is None else percent_text(off.mean_gradient),
         z_rms,
         f"{published_value(solution, task.targets, task.settings.weights):.6g}",
         f"{solution.scale * task.factor:.6f}",

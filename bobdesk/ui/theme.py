@@ -251,9 +251,9 @@ def _style_sheet(of: Colours) -> str:
 QToolTip {{ color: {of.text}; background: {of.base}; border: 1px solid {of.border}; padding: 3px; }}
 QStatusBar {{ background: {of.window}; border-top: 1px solid {of.border}; }}
 QStatusBar::item {{ border: none; }}
-QCheckBox::indicator:unchecked, QRadioButton::indicator:unchecked {{ width: 13px; height: 13px;
-    border: 1px solid {of.muted}; background: {of.base}; }}
-QCheckBox::indicator:unchecked {{ border-radius: 3px; }}
+QCheckBox::indicator:unchecked, QRadioButton::indicator:unchecked, QTableView::indicator:unchecked {{
+    width: 13px; height: 13px; border: 1px solid {of.muted}; background: {of.base}; }}
+QCheckBox::indicator:unchecked, QTableView::indicator:unchecked {{ border-radius: 3px; }}
 QRadioButton::indicator:unchecked {{ border-radius: 7px; }}
 QCheckBox::indicator:unchecked:disabled, QRadioButton::indicator:unchecked:disabled {{ border-color: {of.border}; }}
 QMenuBar {{ background: {of.window}; }}

@@ -15,8 +15,9 @@ import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parent))
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 import identity  # noqa: E402
+import metadata_copies  # noqa: E402
 
 
 def freeze(folder: Path) -> Path:
@@ -35,7 +36,9 @@ def freeze(folder: Path) -> Path:
             "PYINSTALLER_ZLIB_COMPRESSION_LEVEL": "0",
             "PYINSTALLER_CONFIG_DIR": str(work / "cache"),
             "BOBDESK_ICONS": str(work / "icons"),
+            "BOBDESK_METADATA": str(work / "metadata"),
         }
+        metadata_copies.copy_metadata(work / "metadata")
         if identity.RELEASE_FEED:
             environment["BOBDESK_FEED_FILE"] = str(_feed_file(work))
         call = [sys.executable, "-m", "PyInstaller", "--noconfirm", "--clean", "--log-level", "WARN"]

@@ -32,7 +32,7 @@ def main() -> None:
     sign = os.environ.get("SIGN", "")
     tree, sums = put_together(work, sign)
 
-    print("Packing setup.exe (two to five minutes) ...", flush=True)
+    print("Packing setup.exe (two to ten minutes) ...", flush=True)
     setup = out / f"{identity.NAME}-{identity.VERSION}-setup.exe"
     write_setup(tree, setup, work / "icons", work, sign)
     (out / f"{setup.stem}-downloads.sha256").write_text("\n".join(sums) + "\n", encoding="ascii")

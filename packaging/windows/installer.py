@@ -11,7 +11,9 @@ from pathlib import Path
 from house import HERE, HOUSE, identity
 from interpreter import STEM
 from launchers import version_of_four
+from PIL import Image
 
+_SIDE_PX, _SIDE_COLOUR = (328, 628), "#e6edf5"
 # What is alike lies together: a fifth less for setup.exe than by folder.
 _ALIKE = (".exe", ".dll", ".pyd", ".zip", ".pyc", ".py")
 
@@ -35,6 +37,7 @@ def write_setup(
         **defined(version),
         "SIZE_KB": str(sum(path.stat().st_size for path in tree.rglob("*") if path.is_file()) // 1024),
         "LICENCE_FILE": str(HOUSE / "LICENSE"),
+        "SIDE_PICTURE": str(write_side_picture(icons, work)),
         "ICON": str(icons / f"{identity.PROGRAM}.ico"),
         "FILES": str(listed),
         "OUT": str(setup),
@@ -52,6 +55,20 @@ def write_setup(
     environment = {**os.environ, "SOURCE_DATE_EPOCH": str(identity.source_date_epoch())}
     if subprocess.run([*command, str(HERE / "installer.nsi")], env=environment, check=False).returncode:
         sys.exit("makensis could not make setup.exe.")
+
+
+def write_side_picture(icons: Path, work: Path) -> Path:
+    """Write the picture beside the last page, at twice the size of 96 dots an inch, and return its path."""
+    sign = (
+        Image.open(icons / f"{identity.PROGRAM}-256.png").convert("RGBA").resize((160, 160), Image.Resampling.LANCZOS)
+    )
+    picture = Image.new("RGB", _SIDE_PX, _SIDE_COLOUR)
+    picture.paste(sign, ((_SIDE_PX[0] - sign.width) // 2, _SIDE_PX[1] // 6), sign)
+    path = work / "side.bmp"
+    picture.save(path)
+    # The date of each file goes along.
+    os.utime(path, (identity.source_date_epoch(),) * 2)
+    return path
 
 
 def defined(version: str) -> dict[str, str]:

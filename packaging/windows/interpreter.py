@@ -86,7 +86,9 @@ def write_forwarder(library: Path, forwarder: Path) -> None:
     code.write_text(_NOTHING_TO_DO, encoding="ascii")
     lines = [f'  "{name}" = "{library.stem}.{name}"' for name in names]
     exports.write_text("\n".join([f'LIBRARY "{forwarder.name}"', "EXPORTS", *lines, ""]), encoding="ascii")
-    command = [GCC, "-shared", "-nostdlib", "-Wl,-e,DllMainCRTStartup", *REPRODUCIBLE, *HARDENED]
+    # The linker would choose an address by the path that it writes to.
+    command = [GCC, "-shared", "-nostdlib", "-Wl,-e,DllMainCRTStartup", "-Wl,--disable-auto-image-base"]
+    command += [*REPRODUCIBLE, *HARDENED]
     subprocess.run([*command, "-o", str(forwarder), str(code), str(exports)], check=True)
     code.unlink()
     exports.unlink()

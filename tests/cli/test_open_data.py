@@ -55,3 +55,25 @@ def test_the_budget_goes_with_pgd_alone(call):
     arguments = ("--method", "published", "--error-budget", call.path("b.csv"))
     sentence = call.refused("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), *arguments, status=2)
     assert "pgd alone" in sentence
+
+
+@pytest.mark.parametrize("number", ["nan", "inf", "0", "-0.002"])
+def test_a_change_of_gradient_that_is_no_limit_is_refused(call, number):
+    asked = ("--envelope", call.path("e.csv"), "--gradient-change", number)
+    sentence = call.refused("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), *asked, status=2)
+    assert "more than 0 and at most 1 per metre" in sentence
+
+
+@pytest.mark.parametrize("number", ["nan", "0.6", "-0.1"])
+def test_a_plan_error_that_is_no_share_is_refused(call, number):
+    asked = ("--error-budget", call.path("b.csv"), "--plan-error", number)
+    sentence = call.refused("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), *asked, status=2)
+    assert "between 0 and 0.5" in sentence
+
+
+def test_advice_can_be_left_out(call):
+    arguments = ("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--envelope", call.path("e.csv"))
+    said = call(*arguments, "--no-advice")
+    assert said.status == 0, said.err
+    assert "help most" not in said.out
+    assert call.path("e.csv").exists()

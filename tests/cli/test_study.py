@@ -48,6 +48,16 @@ def test_every_combination_is_a_row_in_order(finished):
     assert not finished.path("t.csv.unfinished").exists()
 
 
+def test_figures_below_zero_are_numbers_in_the_table(call):
+    table = call.path("t.csv")
+    targets = ("--length", "730", "--drop", "36")
+    said = call("study", call.plan, *targets, "--methods", "pgd,published", "--workers", 1, "-o", table)
+    assert said.status == 0, said.err
+    rows = pd.read_csv(table)
+    assert (rows.length_percent < -1).all()
+    assert "-0.000000" not in table.read_text()
+
+
 def test_sets_of_known_elevations_are_rows_of_methods_that_hold_them(call):
     sets = ("--known-set", "none", "--known-set", "350:14", "--known-set", "200:21 500:7")
     said = call(
@@ -148,6 +158,16 @@ def test_the_picture_of_a_study(call):
 def test_a_cluster_that_does_not_answer_is_one_sentence(call):
     arguments = ("study", call.plan, *TARGETS, "-o", call.path("t.csv"), "--dask", "nonsense://nowhere")
     assert "no Dask scheduler answers" in call.refused(*arguments, status=3)
+
+
+@pytest.mark.parametrize("address", ["nonsense://nowhere", "nowhere.invalid"])
+def test_an_address_of_no_kind_is_one_sentence_to_the_very_end_of_the_program(call, address):
+    arguments = ("study", call.plan, *TARGETS, "-o", call.path("t.csv"), "--dask", address)
+    ended = subprocess.run(
+        [sys.executable, "-m", "bobdesk", *map(str, arguments)], capture_output=True, text=True, cwd=ROOT, check=False
+    )
+    assert ended.returncode == 3
+    assert ended.stderr == f"bobdesk: no Dask scheduler answers at {address}.\n"
 
 
 # What the cluster itself warns of at its end is its own affair.

@@ -83,6 +83,7 @@ class RealWindow:
             stderr=subprocess.STDOUT,
         )
         self._home = home
+        self._holds = False
         try:
             self._connection = self._connected()
             self.until("window.isVisible() and window.isActiveWindow()")
@@ -127,9 +128,10 @@ class RealWindow:
         raise AssertionError(f"waited in vain for {question}: {answer}\n{self.output}")
 
     def key(self, *keys: str) -> None:
-        """Press keys, such as "ctrl+z"."""
+        """Press keys, such as "ctrl+z"; a mouse button that is held stays down."""
         for key in keys:
-            self._hand("key", "--clearmodifiers", key)
+            # --clearmodifiers would lift the button for the time of the key.
+            self._hand("key", *(() if self._holds else ("--clearmodifiers",)), key)
         self._settle()
 
     def type(self, text: str) -> None:
@@ -159,12 +161,22 @@ class RealWindow:
 
     def drag(self, start: tuple[float, float], end: tuple[float, float]) -> None:
         """Drag with the left button from one place on the screen to another."""
+        self.hold(start, end)
+        self.release()
+
+    def hold(self, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Begin to drag with the left button, and hold it at the end: `key` and `move` act in mid-drag."""
         self.move(*start)
         self._hand("mousedown", "1")
+        self._holds = True
         self._settle()
         for part in (0.2, 0.5, 0.8, 1.0):
             self.move(start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1]))
+
+    def release(self) -> None:
+        """Let the left button go."""
         self._hand("mouseup", "1")
+        self._holds = False
         self._settle()
 
     def drop_file(self, path: Path, x: float, y: float) -> None:

@@ -153,3 +153,35 @@ def test_three_wrong_boundaries_are_put_right(opened, tmp_path, truth, wrong):
     assert program.ask(SEGMENTS) == after
     program.key("ctrl+q")
     assert program.wait_for_end() == 0
+
+
+@pytest.mark.parametrize("key", ["Escape", "ctrl+5", "ctrl+3", "ctrl+z"])
+@pytest.mark.parametrize("where", ["strip", "plan"])
+def test_a_key_in_mid_drag_lets_go_of_the_boundary(opened, tmp_path, wrong, where, key):
+    program = opened(tmp_path / "home", wrong)
+    program.until("desk.session.is_open")
+    program.key("ctrl+4")
+    program.until("widget('strips')._now.is_current and len(widget('strips')._now.segments) > 10")
+    hand = Hand(program)
+    # Something to undo.
+    hand.click(hand.strip(20.0, 0.7))
+    hand.key("o")
+    program.until("desk.session.undo_label == 'Flip kind'")
+    before, end = program.ask(SEGMENTS), float(program.ask(ENDS)[4])
+    places = [hand.strip(at) if where == "strip" else hand.on_line(at) for at in (end, end + 9.0)]
+    strips = "window.layout_of_window.strips_dock.widget()"
+    program.hold(*map(tuple, places))
+    program.until(f"{strips}._now.is_preview")
+    program.key(key)
+    program.until(f"not {strips}._now.is_preview")
+    after = program.ask(SEGMENTS)
+    assert after == before or key == "ctrl+z"
+    program.move(places[1][0] + 4, places[1][1])
+    program.release()
+    assert program.ask(SEGMENTS) == after
+    assert not program.ask(f"{strips}._now.is_preview")
+    assert program.ask("desk.session.undo_label") == (None if key == "ctrl+z" else "Flip kind")
+    program.key("ctrl+s")
+    program.until("desk.session.is_saved")
+    program.key("ctrl+q")
+    assert program.wait_for_end() == 0

@@ -54,6 +54,23 @@ def program(tmp_path):
     return made
 
 
+@pytest.fixture(scope="module")
+def notices(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("notices")
+    build_deb.make_notices.make(folder, None)
+    return folder
+
+
+@pytest.fixture
+def notices_at_hand(notices, monkeypatch):
+    """Making them takes its time; test_notices looks at them."""
+
+    def copied(folder, _program):
+        shutil.copytree(notices, folder, dirs_exist_ok=True)
+
+    monkeypatch.setattr(build_deb.make_notices, "make", copied)
+
+
 def test_the_menu_entry_has_what_a_desktop_asks_for(usr):
     reader = configparser.ConfigParser(interpolation=None)
     reader.optionxform = str
@@ -156,6 +173,7 @@ def test_every_accepted_word_of_lintian_has_its_reason():
 
 
 @needs_debian
+@pytest.mark.usefixtures("notices_at_hand")
 def test_two_debian_packages_of_one_program_are_the_same_bytes(program, tmp_path):
     sums = set()
     for number in range(2):
@@ -178,6 +196,7 @@ def test_two_debian_packages_of_one_program_are_the_same_bytes(program, tmp_path
 
 
 @needs_debian
+@pytest.mark.usefixtures("notices_at_hand")
 def test_the_archive_installs_itself_anywhere_and_takes_itself_away(program, tmp_path):
     archive = build_tarball.build(program, tmp_path)
     assert archive.read_bytes() == build_tarball.build(program, tmp_path / "again").read_bytes()

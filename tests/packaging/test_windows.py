@@ -67,7 +67,7 @@ def test_every_name_in_the_installer_has_a_value():
     from installer import defined
 
     own = set(re.findall(r"^!define (\w+)", script(), re.MULTILINE))
-    handed_over = {*defined("1.0"), "SIZE_KB", "LICENCE_FILE", "ICON", "FILES", "OUT", "SIGN"}
+    handed_over = {*defined("1.0"), "SIZE_KB", "LICENCE_FILE", "ICON", "SIDE_PICTURE", "FILES", "OUT", "SIGN"}
     used = set(re.findall(r"\$\{([A-Z_0-9]+)\}", script()))
     assert used - own == handed_over
 
@@ -151,6 +151,25 @@ def test_the_launchers_compile_to_the_same_bytes_with_version_and_manifest(icons
         # Nothing but what every Windows has.
         assert set(PortableExecutable(one).imports()) <= {"kernel32.dll", "msvcrt.dll", "shell32.dll", "user32.dll"}
         assert str(tmp_path).encode() not in data
+
+
+@pytest.mark.skipif(shutil.which("x86_64-w64-mingw32-gcc") is None, reason="mingw-w64 is not installed")
+def test_the_forwarder_offers_what_the_library_offers_wherever_it_is_made(tmp_path):
+    from interpreter import GCC, write_forwarder
+    from pe import PortableExecutable
+
+    code = tmp_path / "code.c"
+    code.write_text("__declspec(dllexport) int one(void) { return 1; }\n__declspec(dllexport) int two = 2;\n")
+    library = tmp_path / "python399.dll"
+    subprocess.run([GCC, "-shared", "-s", "-o", str(library), str(code)], check=True)
+    places = [tmp_path / name / "python3.dll" for name in ("a", "another")]
+    for place in places:
+        place.parent.mkdir()
+        write_forwarder(library, place)
+    assert PortableExecutable(places[0]).exports() == PortableExecutable(library).exports() == {"one", "two"}
+    assert b"python399.two" in places[0].read_bytes()
+    assert places[0].read_bytes() == places[1].read_bytes()
+    assert [path.name for path in places[0].parent.iterdir()] == ["python3.dll"]
 
 
 def test_what_is_left_out_and_what_is_not():

@@ -80,6 +80,13 @@ def test_a_tolerance_opens_the_band_by_itself():
     assert (found.lowest[at], found.highest[at]) == pytest.approx((48.0, 52.0))
 
 
+def test_a_tolerance_that_reaches_below_the_lowest_point_opens_nothing_there():
+    # A track that never climbs ends at 0 or above, and is higher by its least fall before.
+    falling = band(Targets(1010.0, 80.0, min_gradient=0.02, known=(KnownElevation(1000.0, 2.0, 5.0),)))
+    at = STATIONS.tolist().index(900.0)
+    assert falling.lowest[at] == pytest.approx(2.0)
+
+
 def test_a_scale_moves_stations_to_true_size():
     small = band(Targets(1010.0, 80.0), length=500.0, stations=STATIONS / 2, scale=2.0)
     true = band(Targets(1010.0, 80.0))

@@ -8,7 +8,8 @@ from bobdesk.solve.anchors import anchors_of
 from bobdesk.solve.openness import openness
 from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.track.error_budget import error_budget
-from bobdesk.track.input_errors import InputErrors, half_unit
+from bobdesk.track.input_errors import InputErrors
+from bobdesk.track.rounding import half_unit
 from tests.solve.made_plans import made
 from tests.track.made_truth import covered
 

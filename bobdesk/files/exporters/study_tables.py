@@ -9,9 +9,10 @@ import numpy as np
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.track.error_budget import ErrorBudget
 from bobdesk.track.method_comparison import MethodRow
-from bobdesk.track.study import STUDY_COLUMNS
+from bobdesk.track.study import STUDY_COLUMNS, percent_text
 
 _FLAVOUR = FLAVOURS["default"]
+_WORDS = ("plan", "method", "known", "status", "message")
 
 
 def budget_table(budget: ErrorBudget, *, flavour: str = "default") -> bytes:
@@ -63,7 +64,14 @@ def methods_table(rows: Sequence[MethodRow]) -> bytes:
 
 def study_table(rows: Sequence[Sequence[str]]) -> bytes:
     """Return the rows of a study, one a cell."""
-    return to_csv(STUDY_COLUMNS, [[text_cell(cell, _FLAVOUR) for cell in row] for row in rows], _FLAVOUR)
+    return to_csv(STUDY_COLUMNS, [_study_cells(row) for row in rows], _FLAVOUR)
+
+
+def _study_cells(row: Sequence[str]) -> list[str]:
+    # Figures may be negative: guarded against formulas they would be text to a spreadsheet.
+    return [
+        text_cell(cell, _FLAVOUR) if name in _WORDS else cell for name, cell in zip(STUDY_COLUMNS, row, strict=True)
+    ]
 
 
 def _method_cells(row: MethodRow) -> list[str]:
@@ -74,9 +82,9 @@ def _method_cells(row: MethodRow) -> list[str]:
             f"{row.objective:.6g}",
             f"{row.found.length:.4f}",
             f"{row.found.drop:.4f}",
-            f"{row.off.length:.6f}",
-            f"{row.off.drop:.6f}",
-            "" if mean is None else f"{mean:.6f}",
+            percent_text(row.off.length),
+            percent_text(row.off.drop),
+            "" if mean is None else percent_text(mean),
             f"{row.found.max_gradient:.6f}",
         ]
     effort = [str(row.iterations), str(row.evaluations), f"{row.seconds:.4f}"]

@@ -33,6 +33,9 @@ class AboutDialog(QDialog):
         self.setObjectName("about")
         self.setWindowTitle(self.tr("About BobDesk"))
         self.tabs = QTabWidget()
+        self.tabs.setAccessibleName(self.tr("About BobDesk"))
+        self.tabs.setToolTip(self.tr("What the program is, which versions of its parts it uses, and their licences"))
+        self.tabs.tabBar().setAccessibleName(self.tr("Pages"))
         self.tabs.addTab(self._versions_page(), self.tr("Versions"))
         self.tabs.addTab(self._licences_page(), self.tr("Licences"))
         self.copy_button = QPushButton(icon("copy"), self.tr("Copy versions"))
@@ -73,12 +76,14 @@ class AboutDialog(QDialog):
     def _versions_page(self) -> QWidget:
         text = _text_field(versions())
         text.setAccessibleName(self.tr("Versions"))
+        text.setToolTip(self.tr("Say these when you report a fault"))
         return _page(text)
 
     def _licences_page(self) -> QWidget:
         self._components = components()
         self.list = QListWidget()
         self.list.setAccessibleName(self.tr("Parts of the program"))
+        self.list.setToolTip(self.tr("Choose a part to read its licence"))
         self.list.setTextElideMode(Qt.TextElideMode.ElideRight)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setStyleSheet("QListView::item { padding: 3px 4px; }")
@@ -89,6 +94,7 @@ class AboutDialog(QDialog):
             self.list.item(self.list.count() - 1).setToolTip(one.licence)
         self.text = _text_field("")
         self.text.setAccessibleName(self.tr("Licence"))
+        self.text.setToolTip(self.tr("The licence of the chosen part"))
         self.short = QLabel()
         self.short.setProperty("kind", "heading")
         self.short.setTextFormat(Qt.TextFormat.PlainText)

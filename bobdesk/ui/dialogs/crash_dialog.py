@@ -92,6 +92,7 @@ class CrashDialog(QDialog):
         self._details.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self._details.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
         self._details.setAccessibleName(self.tr("Details"))
+        self._details.setToolTip(self.tr("What happened, for those who mend the program"))
         self._details.setMinimumHeight(_DETAILS_HEIGHT)
         self._details.hide()
 

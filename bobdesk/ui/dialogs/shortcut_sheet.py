@@ -145,6 +145,7 @@ class ShortcutSheet(QDialog):
         self.tree.setColumnCount(2)
         self.tree.setHeaderLabels([self.tr("Action"), self.tr("Key")])
         self.tree.setAccessibleName(self.tr("Actions and their keys"))
+        self.tree.setToolTip(self.tr("Double-click an action, or press Enter on it, to change its key"))
         self.tree.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.tree.setExpandsOnDoubleClick(False)
         self.tree.setStyleSheet("QTreeView::item { padding: 3px 0; }")

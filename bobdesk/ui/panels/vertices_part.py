@@ -63,8 +63,7 @@ class VerticesPart(Part):
         self._calibration = None if trace is None else derive.calibration(project).value
         self._metres = self._in_metres(project, trace)
         self._suspect = _suspect_vertices(trace)
-        for column in (_PX_X, _PX_Y, _CONFIDENCE):
-            self.table.setColumnHidden(column, trace is None)
+        self.table.hide_columns((_PX_X, _PX_Y, _CONFIDENCE) if trace is None else ())
         self.model.refresh()
         self._fit_columns(trace)
         self.delete_button.setVisible(trace is not None)
@@ -81,9 +80,11 @@ class VerticesPart(Part):
             *(length(value, 2, unit=False) for value in metres),
             "100 %",
         )
-        if samples != self._samples:
-            self._samples = samples
-            self.table.fit_columns(samples)
+        wanted = (*samples, "" if self._metres is None else "metres")
+        if wanted != self._samples:
+            self._samples = wanted
+            # The same places stand in metres, once there is a scale.
+            self.table.fit_columns(samples, dispensable=() if self._metres is None else (_PX_X, _PX_Y))
 
     @property
     def _trace(self) -> Trace | None:

@@ -52,6 +52,7 @@ class ToolBox(QObject):
         )
         self._tools = {tool.name: tool for tool in made}
         self._current: Tool = made[0]
+        self.at_rest = made[0].name
         for tool in made:
             tool.host = view.viewport()
             tool.repaint.connect(self.repaint)
@@ -97,7 +98,7 @@ class ToolBox(QObject):
 
     def _on_done(self) -> None:
         if self.sender() is self._current:
-            self.take("select")
+            self.take(self.at_rest)
 
     def _on_document(self) -> None:
         for tool in self._tools.values():

@@ -38,6 +38,7 @@ class PlanView(Canvas):
         self.desk = desk
         self.setObjectName("plan_view")
         self.setAccessibleName(self.tr("Plan"))
+        self.viewport().setAccessibleName(self.tr("Plan"))
         self.setAccessibleDescription(self.tr("The same vertices and points stand in the tables of the panels."))
         self.tools = ToolBox(desk, self)
         self.layers = LayerStack(desk, self.scene(), self.frame_now, self.tools)
@@ -119,6 +120,7 @@ class PlanView(Canvas):
         """Show what a step is about, and take the tool that it begins with; a drag ends."""
         self.tools.current.let_go()
         self.layers.show_in_step(step)
+        self.tools.at_rest = "boundaries" if step == "Segments" else "select"
         if step == "Segments" and self.tool_name == "select":
             self.set_tool("boundaries")
         elif step != "Segments" and self.tool_name == "boundaries":
@@ -133,8 +135,8 @@ class PlanView(Canvas):
         """Drop what is under way, or else put the tool down; return whether there was something."""
         if self.tools.current.cancel():
             return True
-        if self.tool_name != "select":
-            self.set_tool("select")
+        if self.tool_name not in ("select", self.tools.at_rest):
+            self.set_tool(self.tools.at_rest)
             return True
         return False
 

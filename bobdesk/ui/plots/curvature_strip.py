@@ -142,7 +142,9 @@ class CurvatureStrip(QWidget):
         self._plot.setMouseEnabled(x=False, y=False)
         self._plot.hideButtons()
         self._plot.setFrameShape(self._plot.Shape.NoFrame)
-        self._plot.setFocusPolicy(self.focusPolicy())
+        for shown in (self._plot, self._plot.viewport()):
+            shown.setFocusPolicy(self.focusPolicy())
+            shown.setAccessibleName(self.accessibleName())
         self._zero = pyqtgraph.InfiniteLine(pos=0, angle=0, movable=False)
         self._plot.addItem(self._zero)
         self._raw = self._plot.plot(antialias=True)

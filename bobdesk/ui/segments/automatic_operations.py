@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 from PySide6.QtCore import QObject
 
@@ -82,17 +82,37 @@ class AutomaticOperations(QObject):
             if self._now.is_preview:
                 self.drop_preview()
             return
+        document = self._desk.session.document
+        pending = {
+            field.name: getattr(settings, field.name)
+            for field in fields(settings)
+            if getattr(settings, field.name) != getattr(project.segmentation, field.name)
+        }
         # The trial fills the memory of what is derived, so that the edit itself takes no time.
         self._trial.ask(
             project,
             lambda: _tried(project, settings),
-            lambda _found: self._operations.apply(
-                self.tr("Change segmentation"),
-                lambda before: segment_edits.set_segmentation(before, settings),
-                key="segmentation " + " ".join(sorted(changes)),
-            ),
+            lambda _found: self._take_settings(settings, key="segmentation " + " ".join(sorted(changes))),
             wanted=settings,
+            lost=lambda: self._change_again(document, pending),
         )
+
+    def _take_settings(self, settings: SegmentationSettings, *, key: str) -> None:
+        self._operations.apply(
+            self.tr("Change segmentation"), lambda before: segment_edits.set_segmentation(before, settings), key=key
+        )
+        segments = self._desk.session.project.segments
+        if segments is not None and all(is_kept(segment) for segment in segments):
+            self._desk.notices.note(
+                self.tr("Every segment is locked or made by hand, so other settings change none of them."),
+                Remedy(self.tr("Back to automatic"), self.back_to_automatic),
+            )
+
+    def _change_again(self, document: object, changes: dict[str, object]) -> None:
+        """Begin again what another edit overtook; after an undo nobody wants it any more."""
+        session = self._desk.session
+        if session.document is document and session.redo_label is None:
+            self.change_settings(**changes)
 
     def preview_threshold(self, threshold: float) -> None:
         """Show what another threshold would find, without changing the document."""

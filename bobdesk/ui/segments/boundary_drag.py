@@ -75,6 +75,8 @@ class BoundaryDrag(QObject):
         shortest = shortest_by_hand(self._desk.session.project)
         moved = alignment.move_boundary(known.segments, self._boundary, station, shortest=shortest)
         self._station = moved[self._boundary].end
+        # Where there is no room for the crossing itself, the boundary stands before it.
+        self.snapped = self.snapped and self._station == station
         self._now.preview(moved)
 
     def drop(self) -> None:

@@ -23,24 +23,31 @@ class SegmentOperations(QObject):
         super().__init__(parent)
         self._desk = desk
         self._now = alignment_now(desk)
-        self._now.changed.connect(self._drop_lost_selection)
+        self._selected_of = self._segments
+        self._now.changed.connect(self._keep_selection)
+
+    @property
+    def _segments(self) -> Segments:
+        """Those of the document: what is previewed has other numbers, and an edit would hit another segment."""
+        known = self._now.known
+        return () if known is None else known.segments
 
     @property
     def is_possible(self) -> bool:
         """Whether there are segments."""
-        return bool(self._now.segments)
+        return bool(self._segments)
 
     def chosen(self) -> tuple[int, ...]:
         """Return the selected segments, or else the one at the cursor."""
-        selection, count = self._desk.selection, len(self._now.segments)
+        selection, count = self._desk.selection, len(self._segments)
         found = tuple(index for index in selection.segments if index < count)
         if not found and selection.station is not None and count:
-            return (segment_at(self._now.segments, selection.station),)
+            return (segment_at(self._segments, selection.station),)
         return found
 
     def boundary(self) -> int | None:
         """Return the selected boundary, or else the one nearest to the cursor."""
-        selection, segments = self._desk.selection, self._now.segments
+        selection, segments = self._desk.selection, self._segments
         if selection.boundary is not None and selection.boundary < len(segments) - 1:
             return selection.boundary
         station = selection.station
@@ -63,7 +70,7 @@ class SegmentOperations(QObject):
     def select_boundary(self, boundary: int) -> None:
         """Select a boundary: both segments at it are selected with it, and the cursor goes there."""
         self._desk.selection.select_boundary(boundary)
-        self._desk.selection.station = self._now.segments[boundary].end
+        self._desk.selection.station = self._segments[boundary].end
 
     def select_nothing(self) -> bool:
         """Deselect segments and boundary; return whether any were selected."""
@@ -74,7 +81,7 @@ class SegmentOperations(QObject):
 
     def select_next(self, by: int) -> None:
         """Go to a following segment (`by` 1) or one before (-1)."""
-        segments = self._now.segments
+        segments = self._segments
         if not segments:
             self._say_none()
             return
@@ -91,8 +98,8 @@ class SegmentOperations(QObject):
         if station is None:
             self._desk.notices.note(self.tr("Click on a strip or on the line first: the segment is split there."))
             return
-        index = segment_at(self._now.segments, station)
-        if any(abs(one.end - station) < _AT_A_BOUNDARY for one in self._now.segments[:-1]):
+        index = segment_at(self._segments, station)
+        if any(abs(one.end - station) < _AT_A_BOUNDARY for one in self._segments[:-1]):
             self._desk.notices.note(
                 self.tr("There is a boundary here already; click inside a segment, and X splits it there.")
             )
@@ -103,7 +110,7 @@ class SegmentOperations(QObject):
 
     def merge(self) -> None:
         """Make one of the selected neighbours, or of the selected segment and its nearer neighbour."""
-        if not self.ready():
+        if not self.ready() or self._say_one():
             return
         chosen = self.chosen()
         if not chosen:
@@ -132,7 +139,7 @@ class SegmentOperations(QObject):
 
     def all_locked(self, indices: tuple[int, ...]) -> bool:
         """Return whether each of some segments is locked."""
-        segments = self._now.segments
+        segments = self._segments
         return bool(indices) and all(segments[index].locked for index in indices)
 
     def set_locked(self, index: int, *, locked: bool) -> bool:
@@ -143,6 +150,8 @@ class SegmentOperations(QObject):
     def delete_boundary(self) -> None:
         """Merge the two segments at the selected boundary, or at the one nearest to the cursor."""
         if not self.ready():
+            return
+        if self._say_one():
             return
         boundary = self.boundary()
         if boundary is None:
@@ -159,13 +168,13 @@ class SegmentOperations(QObject):
             key=key,
         )
         if moved and self._desk.selection.boundary == boundary:
-            self._desk.selection.station = self._now.segments[boundary].end
+            self._desk.selection.station = self._segments[boundary].end
         return moved
 
     def boundary_range(self, boundary: int) -> tuple[float, float]:
         """Return the first and the last station that a boundary can have, m."""
         shortest = segment_edits.shortest_by_hand(self._desk.session.project)
-        return boundary_range(self._now.segments, boundary, shortest=shortest)
+        return boundary_range(self._segments, boundary, shortest=shortest)
 
     def put_boundary(self, boundary: int, station: float, typed: str) -> bool:
         """Move a boundary to where somebody has typed it; where there is no room for that, say so with numbers."""
@@ -187,20 +196,20 @@ class SegmentOperations(QObject):
                     first=unit.length(first, unit=False),
                     last=unit.length(last),
                     shortest=unit.length(segment_edits.shortest_by_hand(self._desk.session.project)),
-                    now=unit.length(self._now.segments[boundary].end),
+                    now=unit.length(self._segments[boundary].end),
                 )
             )
         return moved
 
     def nudge(self, by: float) -> bool:
         """Move the selected boundary on by so many metres; presses in a row are one step."""
-        boundary, segments = self._desk.selection.boundary, self._now.segments
+        boundary, segments = self._desk.selection.boundary, self._segments
         if boundary is None or boundary >= len(segments) - 1:
             return False
         if not self.refuse_locked(boundary):
             before = segments[boundary].end
             moved = self.move_boundary(boundary, before + by, key=f"nudge boundary {boundary}")
-            if moved and self._now.segments[boundary].end == before:
+            if moved and self._segments[boundary].end == before:
                 shortest = segment_edits.shortest_by_hand(self._desk.session.project)
                 self._desk.notices.note(
                     self.tr(
@@ -232,7 +241,7 @@ class SegmentOperations(QObject):
 
     def refuse_locked(self, boundary: int) -> bool:
         """Say so if a segment beside a boundary is locked; return whether one is."""
-        segments = self._now.segments
+        segments = self._segments
         locked = [index for index in (boundary, boundary + 1) if segments[index].locked]
         if locked:
             self._desk.notices.note(
@@ -252,13 +261,21 @@ class SegmentOperations(QObject):
         if not self._now.is_current:
             self._desk.notices.note(self.tr("The segments are still being worked out; try again in a moment."))
             return False
-        if not self._now.segments:
+        if not self._segments:
             self._say_none()
             return False
         return True
 
     def _say_none(self) -> None:
         self._desk.notices.note(self._now.problem or self.tr("There are no segments yet: a line comes first."))
+
+    def _say_one(self) -> bool:
+        """Return whether there is one segment only, and say so."""
+        if len(self._segments) == 1:
+            self._desk.notices.note(
+                self.tr("The whole line is one segment, so there is nothing to merge; X splits it at the cursor.")
+            )
+        return len(self._segments) == 1
 
     def _say_select(self) -> None:
         self._desk.notices.note(self.tr("Select a segment first: click it on the plan, on a strip or in the table."))
@@ -272,21 +289,30 @@ class SegmentOperations(QObject):
         return chosen
 
     def _with_neighbour(self, index: int) -> tuple[int, int]:
-        segments, station = self._now.segments, self._desk.selection.station
+        segments, station = self._segments, self._desk.selection.station
         segment = segments[index]
         before = index == len(segments) - 1
         if index and station is not None and segment.start <= station < segment.end:
             before = before or station < 0.5 * (segment.start + segment.end)
         return (max(index - 1, 0), index) if before else (index, index + 1)
 
-    def _drop_lost_selection(self) -> None:
+    def _keep_selection(self) -> None:
+        """Let the selection stay where it is on the line, though the numbers of its segments may be others."""
         if self._now.is_preview or not self._now.is_current:
             return
-        selection, count = self._desk.selection, len(self._now.segments)
-        if selection.segments and selection.segments[-1] >= count:
-            selection.segments = [index for index in selection.segments if index < count]
-        if selection.boundary is not None and selection.boundary >= count - 1:
-            selection.boundary = None
+        before, after = self._selected_of, self._segments
+        self._selected_of = after
+        selection = self._desk.selection
+        if len(before) == len(after) or not before or not after:
+            return
+        boundary = selection.boundary
+        middles = [0.5 * (before[at].start + before[at].end) for at in selection.segments if at < len(before)]
+        selection.segments = [segment_at(after, middle) for middle in middles if middle < after[-1].end]
+        if boundary is None:
+            return
+        station = before[boundary].end if boundary < len(before) else None
+        stayed = (index for index, one in enumerate(after[:-1]) if one.end == station)
+        selection.boundary = next(stayed, None)
 
 
 def operations(desk: Desk) -> SegmentOperations:

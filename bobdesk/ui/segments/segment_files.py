@@ -13,6 +13,7 @@ from bobdesk.files.atomic import write_atomic
 from bobdesk.project.segment_edits import shortest_by_hand
 from bobdesk.sentences import listed
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.questions import Questions
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.design import design_of
 from bobdesk.ui.segments.operations import operations
@@ -27,6 +28,7 @@ class SegmentFiles(QObject):
         super().__init__(window)
         self._desk = desk
         self._window = window
+        self._questions = Questions(desk.settings, window)
 
     def ask_open(self) -> None:
         """Ask for a table of segments, and take it."""
@@ -75,10 +77,9 @@ class SegmentFiles(QObject):
 
     def ask_save(self) -> None:
         """Ask where, and save the table of segments."""
-        usual = str(Path(self._desk.settings.folder("export")) / "segments.csv")
-        name, _ = QFileDialog.getSaveFileName(self._window, self.tr("Save segments"), usual, "*.csv")
-        if name:
-            self.save(Path(name) if Path(name).suffix else Path(name + ".csv"))
+        path = self._questions.file_to_save("export", self.tr("Save segments"), "segments", "*.csv", ".csv")
+        if path is not None:
+            self.save(path)
 
     def save(self, path: Path) -> bool:
         """Write the table of segments; return whether that worked."""
@@ -93,7 +94,6 @@ class SegmentFiles(QObject):
         except InputError as error:
             self._desk.notices.error(str(error))
             return False
-        self._desk.settings.set_folder("export", path.parent)
         self._desk.notices.note(self.tr("Saved as {name}").format(name=path.name))
         return True
 

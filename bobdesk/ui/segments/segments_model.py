@@ -87,7 +87,7 @@ class SegmentsModel(HeadedModel):
             if column.name == LOCK:
                 texts.append(self.tr("yes") if value else "")
             elif column.is_number and isinstance(value, float):
-                texts.append("" if not math.isfinite(value) else column.text(row).replace("−", "-"))
+                texts.append("" if not math.isfinite(value) else column.text(row).replace("−", "-").rstrip("°"))
             else:
                 texts.append(column.text(row))
         return texts
@@ -142,6 +142,10 @@ class SegmentsModel(HeadedModel):
         """Edit a cell by way of the document; what cannot be is said, and the old text stays."""
         row = index.row()
         if not index.isValid() or row >= len(self._now.segments):
+            return False
+        if self._now.is_trying_threshold:
+            # The rows are those of a threshold that is tried, and may be other segments than the document's.
+            self._desk.notices.note(self.tr("A threshold is being tried; edit the table when that is done."))
             return False
         column = self._columns[index.column()]
         if role == Qt.ItemDataRole.CheckStateRole and column.name == LOCK:

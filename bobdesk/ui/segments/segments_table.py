@@ -52,7 +52,7 @@ class SegmentsTable(Table):
         rows = [self._row_of(index.row()) for index in self.selectionModel().selectedRows()]
         chosen = sorted(rows) or list(range(self.segments.rowCount()))
         lines = [self.segments.headings(), *(self.segments.row_texts(row) for row in chosen)]
-        QGuiApplication.clipboard().setText("\n".join("\t".join(line) for line in lines))
+        QGuiApplication.clipboard().setText("\n".join("\t".join(map(_as_cell, line)) for line in lines))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Copy with the usual key."""
@@ -74,7 +74,7 @@ class SegmentsTable(Table):
 
     def _fit(self) -> None:
         widest = max((word for _, word in self.segments.kinds()), key=len)
-        samples = [_SAMPLES.get(self._name(number), f"MMMM {widest}") for number in range(self.segments.columnCount())]
+        samples = [_SAMPLES.get(self._name(number), f"MMM {widest}") for number in range(self.segments.columnCount())]
         self.fit_columns(tuple(samples))
 
     def _name(self, number: int) -> str:
@@ -115,3 +115,8 @@ class SegmentsTable(Table):
             self.selectionModel().setCurrentIndex(first, flags.NoUpdate)
             self.scrollTo(first.siblingAtColumn(0))
         self._is_following = False
+
+
+def _as_cell(text: str) -> str:
+    """Return a text so that a spreadsheet takes it for one cell: a tab or a quote at its start would end it early."""
+    return '"' + text.replace('"', '""') + '"' if text.startswith('"') or set(text) & set("\t\n\r") else text

@@ -44,13 +44,16 @@ class Trial(QObject):
         then: Callable[[object], object],
         *,
         wanted: SegmentationSettings | None = None,
+        lost: Callable[[], object] | None = None,
     ) -> None:
-        """Call a function on a thread, and `then` with its answer if the document is still this project."""
+        """Call a function on a thread, and `then` with its answer if the document is still this project, or `lost`."""
 
         def done(found: object) -> None:
             # What was tried on another document, or another line, is worth nothing.
             if self._desk.session.project is project:
                 then(found)
+            elif lost is not None:
+                lost()
 
         self._then, self._wanted = done, wanted
         self._newest.ask(function)

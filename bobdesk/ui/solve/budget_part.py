@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtGui import QGuiApplication
@@ -11,7 +12,6 @@ from PySide6.QtWidgets import QCheckBox
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
 from bobdesk.project.project import Project
-from bobdesk.track.error_budget import Share
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.solve.open_data import open_data_of
 from bobdesk.ui.solve.report_open_data import source_named
@@ -21,6 +21,9 @@ from bobdesk.ui.widgets.fold import Fold
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
 from bobdesk.ui.widgets.table import Table
+
+if TYPE_CHECKING:
+    from bobdesk.track.error_budget import Share
 
 
 class BudgetPart(Part):

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QCoreApplication, QObject
 
 from bobdesk.track.design_rules import Finding
-from bobdesk.track.error_budget import ErrorBudget
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.solve.rule_words import RuleWords
+
+if TYPE_CHECKING:
+    from bobdesk.track.error_budget import ErrorBudget
 
 Rows = list[tuple[str, ...]]
 

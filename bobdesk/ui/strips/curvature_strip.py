@@ -14,7 +14,8 @@ from bobdesk.ui.strips.contents import Curve, Level
 from bobdesk.ui.strips.station_axis import StationAxis
 from bobdesk.ui.strips.strip import Strip
 
-_LEAST, _MOST = 1e-5, 1.0
+# As far down as four decimals show it, here and in the panel's field.
+_LEAST, _MOST = 1e-4, 1.0
 THRESHOLD = "threshold"
 
 

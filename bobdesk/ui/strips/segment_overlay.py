@@ -8,6 +8,7 @@ from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QFontMetricsF, QPainter, QPen
 from PySide6.QtWidgets import QApplication
 
+from bobdesk.alignment.segments import Segment
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import AlignmentNow, alignment_now
 from bobdesk.ui.segments.boundary_drag import BoundaryDrag
@@ -44,17 +45,17 @@ class SegmentOverlay(Overlay):
 
     def paint_below(self, painter: QPainter, on: Geometry) -> None:
         """Tint curves and selected segments."""
-        chosen = set(self._desk.selection.segments)
-        tint, picked = shade("curve", 30), shade("selected_row", 255)
-        for index, segment in enumerate(self._now.segments):
-            if segment.end < on.low or segment.start > on.high:
-                continue
-            left, right = on.x(segment.start), on.x(segment.end)
-            box = QRectF(left, on.area.top(), right - left, on.area.height())
-            if index in chosen:
-                painter.fillRect(box, picked)
-            if segment.kind == "curve":
-                painter.fillRect(box, tint)
+        segments = self._now.segments
+        seen = [one for one in segments if one.end >= on.low and one.start <= on.high]
+        chosen = [segments[index] for index in self._desk.selection.segments if index < len(segments)]
+        painter.setPen(Qt.PenStyle.NoPen)
+        for boxes, colour in (
+            (chosen, shade("selected_row")),
+            ([one for one in seen if one.kind == "curve"], shade("curve", 30)),
+        ):
+            painter.setBrush(colour)
+            painter.drawRects([self._box(one, on) for one in boxes])
+        painter.setBrush(Qt.BrushStyle.NoBrush)
 
     def paint_above(self, painter: QPainter, on: Geometry) -> None:
         """Draw boundaries; where they are too close for handles on the screen, only lines."""
@@ -115,6 +116,10 @@ class SegmentOverlay(Overlay):
         """Put the boundary back."""
         self._pressed, self._is_moving = None, False
         return self._drag.cancel()
+
+    def _box(self, segment: Segment, on: Geometry) -> QRectF:
+        left = on.x(segment.start)
+        return QRectF(left, on.area.top(), on.x(segment.end) - left, on.area.height())
 
     def _boundary_at(self, pointer: StripPointer) -> int | None:
         if not pointer.on.area.adjusted(-_NEAR, -_NEAR, _NEAR, 0).contains(pointer.at):

@@ -6,12 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from bobdesk.errors import InputError
 from bobdesk.files.atomic import write_atomic
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.icons import icon
+from bobdesk.ui.questions import Questions
 from bobdesk.ui.strips.strip import Strip
 from bobdesk.ui.strips.strip_export import strip_csv, strip_png, strip_svg
 
@@ -22,7 +23,7 @@ class StripSaving(QObject):
     def __init__(self, desk: Desk, parent: QWidget) -> None:
         super().__init__(parent)
         self._desk = desk
-        self._window = parent
+        self._questions = Questions(desk.settings, parent)
 
     def fill_menu(self, menu: QMenu, strip: Strip) -> None:
         """Add what can be saved of a strip."""
@@ -33,12 +34,10 @@ class StripSaving(QObject):
 
     def ask(self, strip: Strip, ending: str) -> None:
         """Ask where, and save."""
-        folder = self._desk.settings.folder("export")
-        usual = str(Path(folder) / f"{strip.title.lower()}{ending}")
         title = self.tr("Save {strip}").format(strip=strip.title)
-        name, _ = QFileDialog.getSaveFileName(self._window, title, usual, f"*{ending}")
-        if name:
-            self.save(strip, Path(name) if Path(name).suffix else Path(name + ending), ending)
+        path = self._questions.file_to_save("export", title, strip.title.lower(), f"*{ending}", ending)
+        if path is not None:
+            self.save(strip, path, ending)
 
     def save(self, strip: Strip, path: Path, ending: str) -> bool:
         """Write a strip; return whether that worked, and say so if not."""
@@ -48,6 +47,5 @@ class StripSaving(QObject):
         except InputError as error:
             self._desk.notices.error(str(error))
             return False
-        self._desk.settings.set_folder("export", path.parent)
         self._desk.notices.note(self.tr("Saved as {name}").format(name=path.name))
         return True

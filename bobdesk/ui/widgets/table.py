@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QAbstractItemModel, QSize, Qt
-from PySide6.QtGui import QFontMetrics
+from PySide6.QtGui import QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 _ROOM_IN_ROW = 8
+# Between the columns of a narrow table, pixels.
+_CLOSEST = 10
 
 
 class Table(QTableView):
@@ -31,6 +33,13 @@ class Table(QTableView):
     ) -> None:
         super().__init__(parent)
         self._fewest, self._most = fewest_rows, most_rows
+        self._needed: list[int] = []
+        self._space = 0
+        self._dispensable: tuple[int, ...] = ()
+        self._without: tuple[int, ...] = ()
+        self._is_fitting = False
+        # Widths that somebody has drawn with the mouse stay.
+        self._is_by_hand = False
         self.setAccessibleName(name)
         self.setModel(model)
         self.setAlternatingRowColors(False)
@@ -54,21 +63,59 @@ class Table(QTableView):
         header.setMinimumSectionSize(24)
         header.setStretchLastSection(False)
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.sectionResized.connect(self._on_section_resized)
         for signal in (model.rowsInserted, model.rowsRemoved, model.modelReset):
             signal.connect(self._on_rows)
         self._fit_rows()
 
-    def fit_columns(self, samples: tuple[str, ...]) -> None:
-        """Make each column as wide as its heading and a sample, so that widths never ask 20,000 rows."""
+    def fit_columns(self, samples: tuple[str, ...], *, dispensable: tuple[int, ...] = ()) -> None:
+        """Make each column as wide as its heading and a sample, so that widths never ask 20,000 rows.
+
+        In a narrow table columns sit closer; those that are `dispensable` go where even that is too wide.
+        """
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         metrics = QFontMetrics(self.font())
         head = QFontMetrics(self.horizontalHeader().font())
-        space = 2 * metrics.averageCharWidth() + 4
+        self._needed = []
         for column, sample in enumerate(samples):
             heading = str(self.model().headerData(column, Qt.Orientation.Horizontal) or "")
             # Headings are bold by style sheet, which the metrics do not know.
-            width = max(metrics.horizontalAdvance(sample), round(1.15 * head.horizontalAdvance(heading))) + space
-            self.setColumnWidth(column, width)
+            width = max(metrics.horizontalAdvance(sample), round(1.15 * head.horizontalAdvance(heading)))
+            self._needed.append(width + _CLOSEST)
+        self._space = 2 * metrics.averageCharWidth() + 4 - _CLOSEST
+        self._dispensable = dispensable
+        self._is_by_hand = False
+        self._fit_width()
+
+    def hide_columns(self, columns: tuple[int, ...]) -> None:
+        """Hide columns that have nothing to show."""
+        if columns != self._without:
+            self._without = columns
+            self._fit_width()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Let columns sit closer in a narrow table."""
+        super().resizeEvent(event)
+        if not self._is_by_hand:
+            self._fit_width()
+
+    def _fit_width(self) -> None:
+        room = self.viewport().width()
+        columns = [column for column in range(len(self._needed)) if column not in self._without]
+        needed = sum(self._needed[column] for column in columns)
+        gone = self._dispensable if needed > room else ()
+        shown = [column for column in columns if column not in gone]
+        left = room - sum(self._needed[column] for column in shown)
+        space = min(max(left // max(len(shown), 1), 0), self._space)
+        self._is_fitting = True
+        for column in range(len(self._needed)):
+            self.setColumnHidden(column, column not in shown)
+            if column in shown:
+                self.setColumnWidth(column, self._needed[column] + space)
+        self._is_fitting = False
+
+    def _on_section_resized(self) -> None:
+        self._is_by_hand = self._is_by_hand or not self._is_fitting
 
     def sizeHint(self) -> QSize:
         """Be as high as the rows."""

@@ -51,7 +51,8 @@ class Machine:
             "WINEPREFIX": str(home / "prefix"),
             "WINEARCH": "win64",
             "WINEDEBUG": "-all",
-            "WINEDLLOVERRIDES": "mscoree=;mshtml=",
+            # Neither .NET nor HTML, which would be asked for; no shortcuts among those of the Unix desktop.
+            "WINEDLLOVERRIDES": "mscoree=;mshtml=;winemenubuilder.exe=d",
         }
         self._own(home)
         self._plain([WINE, "wineboot", "-i"])

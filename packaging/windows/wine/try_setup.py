@@ -292,8 +292,10 @@ def uninstall(machine: Machine, before: set[str]) -> None:
     machine.run(rf"{FOLDER}\{UNINSTALLER}", "/S")
     wait_for(lambda: not (machine.drive / PLACE).exists(), "the program's folder goes away", 60)
     time.sleep(2)
-    if {path: path.read_bytes() for path in settings.rglob("*") if path.is_file()} != kept:
-        raise TrialError("settings were changed or taken away")
+    now = {path: path.read_bytes() for path in settings.rglob("*") if path.is_file()}
+    if now != kept:
+        changed = sorted(path.name for path in {*kept, *now} if kept.get(path) != now.get(path))
+        raise TrialError(f"settings were changed or taken away: {', '.join(changed)}")
     mine = (settings, machine.drive / Path(PROJECT).parts[0], machine.drive / Path(PLACE).parts[0])
     found = (machine.home / name for name in machine.files() - before)
     new = sorted(path.relative_to(machine.home).as_posix() for path in found if not any(map(path.is_relative_to, mine)))

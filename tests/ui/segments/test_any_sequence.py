@@ -10,10 +10,10 @@ import numpy as np
 from hypothesis import HealthCheck, settings
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, rule, run_state_machine_as_test
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import QApplication
 
-from bobdesk.alignment.segments import check_segments
+from bobdesk.alignment.segments import Segment, check_segments
 from bobdesk.plan.polyline import Polyline
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project, SourceLine
@@ -139,6 +139,33 @@ class AtTheDesk(RuleBasedStateMachine):
         self.remember()
         self.desk.selection.boundary = int(share * (len(self.now.segments) - 2))
         self.do.delete_boundary()
+
+    @precondition(lambda self: len(self.now.segments) > 1)
+    @rule(share=shares, column=st.sampled_from(["from", "length", "to"]), typed=st.floats(-50.0, 900.0))
+    def type_into_the_table(self, share: float, column: str, typed: float) -> None:
+        self.remember()
+        before = [one.length for one in self.now.segments]
+        row = min(int(share * len(before)), len(before) - 1)
+        index = self.model.index(row, self.model.column(column))
+        if self.model.flags(index) & Qt.ItemFlag.ItemIsEditable:
+            self.model.setData(index, f"{typed:.3f}")
+            self.nothing_is_too_short(before)
+
+    @rule(cuts=st.lists(shares, min_size=1, max_size=8, unique=True))
+    def take_a_file(self, cuts: list[float]) -> None:
+        ends = [*sorted(self.station(cut) for cut in cuts if 0 < cut < 1), self.station(1.0)]
+        starts = [0.0, *ends[:-1]]
+        kinds = ("straight", "curve")
+        self.do.take(
+            tuple(Segment(kinds[at % 2], *pair) for at, pair in enumerate(zip(starts, ends, strict=True))), "f"
+        )
+        self.locked = set()
+        self.nothing_is_too_short([])
+
+    def nothing_is_too_short(self, before: list[float]) -> None:
+        """Only what was too short before may still be, and only if it is no shorter."""
+        least = min([shortest_by_hand(self.desk.session.project), *before])
+        assert min(one.length for one in self.now.segments) >= least - 1e-6
 
     @rule(share=shares, name=st.text("ab1 ", max_size=4))
     def rename(self, share: float, name: str) -> None:

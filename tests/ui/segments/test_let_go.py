@@ -142,3 +142,35 @@ def test_a_pan_that_is_let_go_of_stays_where_it_is(window, strips):
     assert low < 100.0
     key(Qt.Key.Key_5, CTRL)
     assert strips.axis.low == low
+
+
+def test_escape_again_and_again_leaves_the_tool_of_the_step_in_hand(window):
+    view = window.view
+    view.setFocus()
+    for _ in range(3):
+        key(Qt.Key.Key_Escape)
+        assert view.tool_name == "boundaries"
+    view.set_tool("measure")
+    key(Qt.Key.Key_Escape)
+    key(Qt.Key.Key_Escape)
+    assert view.tool_name == "boundaries"
+    window.go_to("Centreline")
+    view.set_tool("measure")
+    view.setFocus()
+    key(Qt.Key.Key_Escape)
+    key(Qt.Key.Key_Escape)
+    assert view.tool_name == "select"
+
+
+def test_a_threshold_dragged_to_the_ground_is_the_same_on_strip_and_in_the_panel(window, strips, until):
+    strip = strips.curvature
+    on = strip.geometry_now()
+    start = QPoint(round(on.x(30.0)), round(on.y(strips._now.threshold)))
+    QTest.mousePress(strip, LEFT, Qt.KeyboardModifier.NoModifier, start)
+    for y in (20, 60, 100):
+        move(strip, start + QPoint(0, y))
+    QTest.mouseRelease(strip, LEFT, Qt.KeyboardModifier.NoModifier, start + QPoint(0, 100))
+    until(lambda: window.desk.session.project.segmentation.threshold is not None and not window.desk.runner.jobs)
+    threshold = window.desk.session.project.segmentation.threshold
+    assert window.panels._shown["Segments"].automatic.threshold.value() == threshold
+    assert strip.levels["threshold"].label.startswith(f"threshold {threshold:.4f} 1/m")

@@ -6,7 +6,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from bobdesk.alignment.segments import check_segments
-from bobdesk.project import derive, edits
+from bobdesk.project import derive, edits, segment_edits
 from bobdesk.project.project import Project
 from bobdesk.ui.actions.segment_actions import SegmentActions
 from bobdesk.ui.desk import Desk
@@ -280,3 +280,72 @@ def test_a_nudge_that_can_go_no_further_says_so(desk, now, do, told, by, number)
     do.nudge(by / 1000)
     assert now.segments[3].end == end
     assert told == [f"The boundary can go no further: segment {number} would be shorter than 3.0 m."]
+
+
+def test_keys_while_a_threshold_is_tried_act_on_the_segments_of_the_document(desk, now, do, find, idle):
+    station = now.segments[9].end
+    desk.selection.station = station + 0.5
+    find.preview_threshold(0.03)
+    idle()
+    assert len(now.segments) < len(now.known.segments)
+    before = {segment.end for segment in now.known.segments}
+    do.delete_boundary()
+    assert before - {segment.end for segment in now.segments} == {station}
+
+
+def test_the_selection_stays_on_the_line_when_other_segments_come_or_go(desk, now, do, find, idle):
+    do.select(13)
+    chosen = now.segments[13]
+    desk.session.apply("Split", lambda project: segment_edits.split_segment(project, now.segments[2].start + 10.0))
+    assert [now.segments[index] for index in desk.selection.segments] == [chosen]
+    do.select_boundary(8)
+    boundary = now.segments[8].end
+    desk.session.undo()
+    assert now.segments[desk.selection.boundary].end == boundary
+    assert len(desk.selection.segments) == 2
+    do.select(12)
+    middle = 0.5 * (now.segments[12].start + now.segments[12].end)
+    find.change_settings(count=9)
+    idle()
+    (at,) = desk.selection.segments
+    assert now.segments[at].start <= middle < now.segments[at].end
+
+
+def test_settings_that_can_change_nothing_are_told_with_a_way_out(desk, now, do, find, idle, told):
+    do.take(now.segments, "Open segments")
+    find.change_settings(count=9)
+    idle()
+    assert len(now.segments) == 17
+    assert told == ["Every segment is locked or made by hand, so other settings change none of them."]
+
+
+def test_an_edit_while_settings_are_tried_does_not_swallow_them(desk, now, do, find, idle, told):
+    find.change_settings(count=15)
+    find.change_settings(threshold=0.006)
+    do.select(3)
+    do.lock()
+    idle()
+    settings = desk.session.project.segmentation
+    assert (settings.count, settings.threshold) == (15, 0.006)
+    assert any(segment.locked for segment in now.segments)
+    assert told == []
+
+
+def test_where_there_is_one_segment_nothing_is_merged_and_that_is_said(desk, now, do, find, idle, told):
+    find.change_settings(count=1)
+    idle()
+    do.select(0, station=50.0)
+    do.merge()
+    do.delete_boundary()
+    assert len(told) == 2
+    assert all("is one segment" in sentence for sentence in told)
+
+
+def test_the_same_name_again_is_no_step(desk, now, do):
+    assert do.rename(1, "  ")
+    assert desk.session.undo_label is None
+    assert do.rename(1, " Grosser \t Kreisel ")
+    assert now.segments[1].name == "Grosser Kreisel"
+    label, project = desk.session.undo_label, desk.session.project
+    assert do.rename(1, "Grosser Kreisel")
+    assert (label, project) == ("Name segment", desk.session.project)

@@ -6,9 +6,12 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QFileDialog
 
 from bobdesk.files.project_file import load_project
+from bobdesk.ui.questions import Questions
 from bobdesk.ui.segments.operations import operations
+from bobdesk.ui.segments.segment_files import SegmentFiles
 from bobdesk.ui.strips.contents import Curve, Marks, decimated
 from bobdesk.ui.strips.station_axis import StationAxis, ticks
 from bobdesk.ui.strips.strip import Strip
@@ -108,6 +111,16 @@ def test_a_dragged_boundary_snaps_to_the_threshold_but_not_with_alt(desk, now, s
     free = Qt.KeyboardModifier.AltModifier
     drag(strip, place(strip, crossing), place(strip, crossing + 4 * per_pixel + 4), free)
     assert now.segments[boundary].end != crossing
+
+
+def test_a_boundary_that_stops_before_the_threshold_is_not_said_to_be_there(desk, now, stack):
+    crossing = float(now.value.crossings()[5])
+    boundary = int(np.argmin([abs(segment.end - crossing) for segment in now.segments[:-1]])) - 1
+    assert stack.drag.hold(boundary)
+    stack.drag.drag(crossing + 0.5, snap=5.0)
+    assert stack.drag.station == pytest.approx(now.known.segments[boundary + 1].end - 3.0)
+    assert not stack.drag.snapped
+    stack.drag.cancel()
 
 
 def test_escape_puts_a_dragged_boundary_back(desk, now, stack):
@@ -247,6 +260,24 @@ def test_a_strip_is_saved_as_picture_drawing_and_table(stack, tmp_path, desk, to
     assert (tmp_path / "c.svg").read_bytes().startswith(b"<?xml")
     assert not stack._saving.save(stack.curvature, tmp_path / "nowhere" / "c.csv", ".csv")
     assert "cannot be written" in told[-1]
+
+
+def test_where_to_save_is_asked_in_the_way_that_asks_before_it_overwrites(stack, tmp_path, monkeypatch, window):
+    def unasked(*_arguments):
+        pytest.fail("a name typed without its ending would overwrite a file unasked")
+
+    endings = []
+
+    def asked(_questions, purpose, _title, name, _filters, ending):
+        endings.append((purpose, name, ending))
+        return tmp_path / f"{name}{ending}"
+
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", unasked)
+    monkeypatch.setattr(Questions, "file_to_save", asked)
+    stack._saving.ask(stack.curvature, ".csv")
+    SegmentFiles(stack._desk, window).ask_save()
+    assert endings == [("export", "curvature", ".csv"), ("export", "segments", ".csv")]
+    assert {path.name for path in tmp_path.glob("*.csv")} == {"curvature.csv", "segments.csv"}
 
 
 def test_the_context_menu_saves_and_fits(stack, qtbot):

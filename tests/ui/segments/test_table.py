@@ -1,10 +1,17 @@
 """The table of segments."""
 
+import csv
+import dataclasses
+import io
+import math
+
 import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QLineEdit
 
+from bobdesk.ui.segments.automatic_operations import automatic_operations
 from bobdesk.ui.segments.kind_delegate import KindDelegate
 from bobdesk.ui.segments.segments_table import SegmentsTable
 
@@ -151,3 +158,46 @@ def test_the_kind_is_chosen_from_a_list(desk, now, table):
     box.setCurrentIndex(1)
     delegate.setModelData(box, table.model(), index)
     assert now.segments[0].kind == "curve"
+
+
+@pytest.mark.parametrize("name", ['"Bayern" Kurve', "a\tb", 'Öhr, "x"', "two\nlines"])
+def test_any_name_stays_one_cell_of_a_spreadsheet(desk, now, table, name):
+    named = (*now.segments[:1], dataclasses.replace(now.segments[1], name=name), *now.segments[2:])
+    desk.session.apply("Name", lambda project: dataclasses.replace(project, segments=named))
+    desk.selection.segments = (1,)
+    table.copy()
+    head, row = csv.reader(io.StringIO(QGuiApplication.clipboard().text(), newline=""), delimiter="\t")
+    assert row[table.segments.column("name")] == name
+    assert len(row) == len(head)
+    assert float(row[table.segments.column("turn")]) == pytest.approx(math.degrees(now.figures[1].turn), abs=0.06)
+
+
+def test_while_a_threshold_is_tried_no_row_is_edited(desk, now, table, idle, told):
+    automatic_operations(desk).preview_threshold(0.03)
+    idle()
+    before = desk.session.project
+    assert not edit(table, 1, "kind", "straight" if now.segments[1].kind == "curve" else "curve")
+    assert desk.session.project is before
+    assert "is being tried" in told[-1]
+
+
+def test_german_numbers_are_typed_into_cells(desk, now, table, qtbot, told):
+    QLocale.setDefault(QLocale(QLocale.Language.German))
+    index = table.model().index(3, table.segments.column("length"))
+
+    def typed(text):
+        table.edit(index)
+        editor = table.findChild(QLineEdit)
+        editor.selectAll()
+        QTest.keyClicks(editor, text)
+        QTest.keyClick(editor, Qt.Key.Key_Return)
+        qtbot.waitUntil(lambda: table.findChild(QLineEdit) is None)
+
+    typed("12,5")
+    assert now.segments[3].length == pytest.approx(12.5)
+    typed("13.25")
+    assert now.segments[3].length == pytest.approx(13.25)
+    typed("1.290")
+    assert now.segments[3].length == pytest.approx(13.25)
+    assert len(told) == 1
+    assert "can be read as" in told[0]

@@ -20,6 +20,17 @@ from bobdesk.ui.strips.strip_stack import StripStack
 from tests.ui.answers import Answers
 
 
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    """Grids of 30 cells: what is drawn at random takes a second."""
+    from bobdesk.project import derive_open
+    from bobdesk.solve import next_elevation
+
+    monkeypatch.setattr(derive_open, "_MOST_CELLS", 30)
+    monkeypatch.setattr(next_elevation, "_MOST_CELLS", 30)
+    monkeypatch.setattr(next_elevation, "_PROFILES", 100)
+
+
 @pytest.fixture
 def stack(desk, opened, qtbot, idle):
     made = StripStack(desk)
@@ -306,3 +317,15 @@ def test_another_document_forgets_what_was_open(desk, panel, stack, idle):
     idle()
     assert panel.known.model.rowCount() == 0
     assert POSSIBLE not in stack.elevation.bands
+
+
+def test_what_the_user_stops_says_so_and_begins_again_with_the_next_change(desk, panel, idle, until):
+    panel.advice.ask_button.click()
+    until(lambda: any(job.title.startswith("Finding where") for job in desk.runner.jobs))
+    for job in desk.runner.jobs:
+        job.stop()
+    idle()
+    assert panel.advice.sentence.text().startswith("Stopped")
+    desk.session.apply("Drop", lambda project: edits.set_drop(project, project.targets.drop + 1))
+    idle()
+    assert open_data_of(desk).advice is not None

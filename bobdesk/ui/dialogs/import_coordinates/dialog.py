@@ -124,6 +124,7 @@ class ImportDialog(QDialog):
         self.picture = LineView()
         self.rows = QTableWidget()
         self.rows.setAccessibleName(self.tr("First rows of the file"))
+        self.rows.setToolTip(self.tr("The first rows of the file, as they are read now"))
         self.rows.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.rows.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.rows.setTabKeyNavigation(False)

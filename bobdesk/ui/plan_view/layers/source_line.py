@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtGui import QColor, QPainter
 
-from bobdesk.project.project import Project
+from bobdesk.project.project import Project, SourceLine
+from bobdesk.ui.desk import Desk
+from bobdesk.ui.plan_view.held_picture import HeldPicture
 from bobdesk.ui.plan_view.layers.layer import Layer
 from bobdesk.ui.plan_view.layers.trace import handles_shown
 from bobdesk.ui.plan_view.space import Frame
@@ -21,11 +25,17 @@ class SourceLineLayer(Layer):
         """Return whether there are other coordinates."""
         return before.source is not after.source
 
+    def __init__(self, desk: Desk, frame: Callable[[], Frame]) -> None:
+        super().__init__(desk, frame)
+        self._held = HeldPicture()
+
     def draw(self, painter: QPainter, frame: Frame) -> None:
         """Paint the line, and dots where they are far enough from each other."""
         source = self.desk.session.project.source
-        if source is None:
-            return
+        if source is not None:
+            self._held.paint(painter, frame, (source, colours()), lambda on: self._draw(on, frame, source))
+
+    def _draw(self, painter: QPainter, frame: Frame, source: SourceLine) -> None:
         of = colours()
         screen = frame.to_screen(source.polyline.vertices)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
