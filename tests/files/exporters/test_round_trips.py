@@ -84,7 +84,7 @@ def test_json_gives_every_column_and_segment_back(tmp_path):
         (lambda d: d["segments"].append("x"), "segment 3 is not of the kind"),
         (lambda d: d["segments"][0].update(from_m=None), "segment 1 leaves a gap"),
         (lambda d: d["segments"][1].update(to_m=1e300), "segments end at"),
-        (lambda d: d.update(segments=[]), "there is no segment"),
+        (lambda d: d.update(segments=[]), "there are no segments"),
         (lambda d: d.update(segments={"kind": "curve"}), "list of segments makes no sense"),
         (lambda d: d["columns"]["gradient"].pop(), "different lengths"),
         (lambda d: d["columns"].update(station_m=d["columns"]["station_m"][::-1]), "must grow from row to row"),
