@@ -37,6 +37,7 @@ class ChartView(QWidget):
             painter = QPainter(self)
             painter.setFont(self.font())
             draw_chart(painter, QRectF(self.rect()), self.chart)
+            painter.end()
 
 
 class HeatMapView(QWidget):
@@ -56,7 +57,9 @@ class HeatMapView(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Draw the table."""
         if self.laid_out is not None:
-            self.laid_out.draw(QPainter(self))
+            painter = QPainter(self)
+            self.laid_out.draw(painter)
+            painter.end()
 
     def event(self, event: QEvent) -> bool:
         """Say what is known of the cell under the mouse."""

@@ -163,6 +163,7 @@ class ConvergencePlot(QWidget):
         """Draw axes, stages, curves and the marked iterate."""
         painter = QPainter(self)
         self.draw(painter, QRectF(self.rect()))
+        painter.end()
 
     def draw(self, painter: QPainter, whole: QRectF) -> None:
         """Draw everything into a rectangle, of a screen or of a file."""

@@ -106,8 +106,9 @@ class SpaceCanvas(QWidget):
             painter.fillRect(self.rect(), QColor(of.canvas))
             painter.setPen(QColor(of.muted))
             painter.drawText(QRectF(self.rect()), Qt.AlignmentFlag.AlignCenter, self.empty_text)
-            return
-        draw(painter, self._scene, self.camera, QRectF(self.rect()))
+        else:
+            draw(painter, self._scene, self.camera, QRectF(self.rect()))
+        painter.end()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep everything in sight."""
