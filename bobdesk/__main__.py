@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 
 def main() -> int:
     """Run the command in `sys.argv` and return its exit status."""
+    # Window, command and workers give the same digits; the matrices are too small for threads to pay.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if sys.argv[1:2] == ["--picture-worker"]:
         # A frozen program has no Python to start its helper process with: it starts itself.
         from bobdesk.files.picture_worker import main as decode
