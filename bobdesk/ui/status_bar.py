@@ -120,9 +120,11 @@ class StatusBar(QStatusBar):
         self._saved.style().polish(self._saved)
 
     def _on_jobs(self) -> None:
-        if self._desk.runner.jobs:
+        # A job may begin while the plan is being painted, and a progress bar paints at once: that would be within it.
+        if not self._desk.runner.jobs:
+            self._look()
+        elif not self._timer.isActive():
             self._timer.start()
-        self._look()
 
     def _look(self) -> None:
         jobs = self._desk.runner.jobs

@@ -85,6 +85,8 @@ def _one(number: int, folder: Path) -> int:
             QTimer.singleShot(delay, self, self._leave)
 
         def _leave(self) -> None:
+            # Faults are told here, and not by a dialog that nobody sees.
+            sys.excepthook = sys.__excepthook__
             if not self._solving.is_running:
                 self._solving.run()
             way = WAYS[number // 2 % len(WAYS)]
