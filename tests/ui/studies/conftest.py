@@ -3,17 +3,24 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Generator
 from pathlib import Path
+from threading import Event
 
 import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
+from bobdesk.files.study_journal import Row
+from bobdesk.files.study_run import StudyProgress
 from bobdesk.plan.polyline import Polyline
+from bobdesk.progress import Progress
 from bobdesk.project import edits
 from bobdesk.project.project import Project, SourceLine
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.studies import study_window
+from bobdesk.ui.studies.study_job import StudyOrder, study_steps
 from tests.alignment.made_lines import made_plan
 from tests.ui.answers import Answers
 
@@ -61,3 +68,29 @@ def answering(desk: Desk, window):
 def until(qtbot: QtBot) -> Callable[[Callable[[], bool]], None]:
     """As everywhere, with the time that processes need to begin on a computer that has much to do."""
     return lambda true: qtbot.waitUntil(true, timeout=60_000)
+
+
+@pytest.fixture
+def held_at(monkeypatch: pytest.MonkeyPatch) -> Callable[[int], Event]:
+    """Return a function that has studies wait at a number of rows until the event is set, however fast they are."""
+
+    def hold(count: int) -> Event:
+        going_on = Event()
+
+        def held(order: StudyOrder) -> Generator[Progress, None, tuple[Row, ...]]:
+            steps, seen = study_steps(order), 0
+            while True:
+                try:
+                    step = next(steps)
+                except StopIteration as end:
+                    return end.value
+                yield step
+                seen += len(step.rows) if isinstance(step, StudyProgress) else 0
+                while seen >= count and not going_on.is_set():
+                    time.sleep(0.01)
+                    yield Progress(0.5, "held")
+
+        monkeypatch.setattr(study_window, "study_steps", held)
+        return going_on
+
+    return hold

@@ -72,7 +72,8 @@ def test_the_rows_are_the_commands(study, until, desk, tmp_path, capsys):
     assert (tmp_path / "w.csv").read_bytes() == table.read_bytes()
 
 
-def test_stopped_and_begun_again_in_another_window_it_ends_in_the_same_table(study, make, until, desk):
+def test_stopped_and_begun_again_in_another_window_it_ends_in_the_same_table(study, make, until, held_at):
+    going_on = held_at(3)
     choose(study, counts="3-9")
     study.solve()
     until(lambda: len(study.results.rows) >= 3)
@@ -80,6 +81,7 @@ def test_stopped_and_begun_again_in_another_window_it_ends_in_the_same_table(stu
     until(lambda: not study.is_running)
     kept = len(study.results.rows)
     assert 3 <= kept < 21
+    going_on.set()
     assert "goes on from there" in study.bar.said.text()
     other = make()
     choose(other, counts="3-9")
@@ -93,13 +95,15 @@ def test_stopped_and_begun_again_in_another_window_it_ends_in_the_same_table(stu
     assert len(study.results.rows) == 21
 
 
-def test_it_rests_and_goes_on(study, until, qtbot):
+def test_it_rests_and_goes_on(study, until, qtbot, held_at):
+    going_on = held_at(1)
     choose(study, counts="3-12")
     study.solve()
     until(lambda: len(study.results.rows) >= 1)
     study.bar.main_button.click()
     assert study.job.is_paused
     assert study.bar.said.text().startswith("Paused")
+    going_on.set()
     # The step that was under way is the last one; what is solved meanwhile waits for its turn.
     spin(qtbot)
     shown = len(study.results.rows) + len(study.job.drained())
@@ -166,7 +170,8 @@ def test_what_is_remembered_wrongly_is_forgotten():
         assert from_text(bad) == StudyChoice()
 
 
-def test_closing_in_mid_study_asks_and_stops(study, until):
+def test_closing_in_mid_study_asks_and_stops(study, until, held_at):
+    held_at(1)
     choose(study, counts="3-12")
     study.solve()
     until(lambda: len(study.results.rows) >= 1)
@@ -218,13 +223,15 @@ def test_numbers_are_read_with_the_signs_of_the_country():
     assert wanted_of(StudyChoice(methods=("published",), weights="0.5,1,1.5"), 1).weights == (0.5, 1.0, 1.5)
 
 
-def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, qtbot):
+def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, held_at):
+    going_on = held_at(2)
     choose(study, counts="3-12")
     study.solve()
     study.results.pages.setCurrentIndex(1)
     until(lambda: study.results.heat_view.laid_out is not None)
     assert study.is_running
     first = study.results.heat_view.laid_out.map
+    going_on.set()
     until(lambda: not study.is_running)
     until(lambda: len(study.results.heat_view.laid_out.map.down) == 10)
     assert len(first.down) < 10
