@@ -90,7 +90,10 @@ def mugello() -> Project:
 
 
 def surveyed(sample: str, name: str, title: str) -> Project:
-    """A line with elevations: it is solved from its plan, length, drop and three elevations."""
+    """A line with elevations: it is solved from its plan, length, drop and three elevations.
+
+    Where it rises to its end, the elevations of the lowest point and of the end are known as well.
+    """
     path = SAMPLES / sample / name
     found = read_line(path)
     points = np.column_stack([found.polyline.vertices, found.elevations])
@@ -104,6 +107,11 @@ def surveyed(sample: str, name: str, title: str) -> Project:
         project = edits.add_known_elevation(
             project, KnownElevation(round(float(along[at]), 2), round(float(points[at, 2] - low), 2))
         )
+    if points[-1, 2] > low:  # The track rises to its end, to slow the sled: where it is lowest is known.
+        for at in (int(np.argmin(points[:, 2])), len(points) - 1):
+            project = edits.add_known_elevation(
+                project, KnownElevation(round(float(along[at]), 2), round(float(points[at, 2] - low), 2))
+            )
     return solved(edits.compare_with(project, ActualTrack(path.name, points)))
 
 
