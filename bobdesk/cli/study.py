@@ -129,6 +129,11 @@ def command(
     journal = StudyJournal(output, digest_of(tasks, __version__))
     if restart:
         journal.remove()
+    elif journal.is_anothers:
+        raise InputError(
+            f"{journal.path} holds the finished rows of another study (other plans, options or version): "
+            "give another -o, or --restart to throw them away"
+        )
     rows = _solved(tasks, journal, workers=workers, dask=dask)
     files = {output: study_table(rows)}
     if picture is not None:
@@ -143,6 +148,8 @@ def command(
 
 
 def _known_set(text: str) -> tuple[KnownElevation, ...]:
+    if not text.strip():
+        raise click.UsageError(f"--known-set needs a STATION:ELEVATION, or {NO_SET} for an empty set")
     return () if text.strip() == NO_SET else tuple(known_elevation(part, "--known-set") for part in text.split())
 
 

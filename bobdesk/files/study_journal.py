@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 Row = tuple[str, ...]
 _ENDING = ".unfinished"
+_HEAD_BEGINS = b'{"study": '
+_LONGEST_HEAD = 1000
 
 
 class StudyJournal:
@@ -33,6 +35,22 @@ class StudyJournal:
         self.path = table.with_name(table.name + _ENDING)
         self._digest = digest
         self._length = 0
+
+    @property
+    def is_anothers(self) -> bool:
+        """Whether what lies there are finished rows of another study, or something else altogether."""
+        try:
+            with self.path.open("rb") as file:
+                head = file.readline(_LONGEST_HEAD)
+        except OSError:
+            return False
+        # A head that was cut short belongs to a study that had no row yet.
+        cut_short = not head.endswith(b"\n") and self._head.startswith(head[: len(_HEAD_BEGINS)])
+        return not cut_short and _parsed(head) != {"study": self._digest}
+
+    @property
+    def _head(self) -> bytes:
+        return (json.dumps({"study": self._digest}) + "\n").encode()
 
     def finished(self) -> dict[int, Row]:
         """Return the rows that are there, by the number of their cell; a line that was cut short is left out."""
@@ -65,9 +83,8 @@ class StudyJournal:
         line = (json.dumps([number, list(row)]) + "\n").encode()
         try:
             if self._length == 0:
-                head = (json.dumps({"study": self._digest}) + "\n").encode()
-                self.path.write_bytes(head + line)
-                self._length = len(head) + len(line)
+                self.path.write_bytes(self._head + line)
+                self._length = len(self._head) + len(line)
                 return
             with self.path.open("r+b") as file:
                 file.seek(self._length)

@@ -122,6 +122,33 @@ def test_a_stopped_study_says_where_its_rows_are_kept(call, monkeypatch):
     assert not call.path("t.csv.unfinished").exists()
 
 
+def test_the_rows_of_another_study_are_not_thrown_away_unasked(call):
+    journal = StudyJournal(call.path("t.csv"), "another")
+    journal.add(0, ("a", "b"))
+    before = journal.path.read_bytes()
+    said = call.refused("study", call.plan, *TARGETS, "--counts", "5", "-o", call.path("t.csv"), status=3)
+    assert "t.csv.unfinished holds the finished rows of another study" in said
+    assert journal.path.read_bytes() == before
+    assert not call.path("t.csv").exists()
+    again = call("study", call.plan, *TARGETS, "--counts", "5", "-o", call.path("t.csv"), "--restart")
+    assert again.status == 0, again.err
+    assert not journal.path.exists()
+
+
+@pytest.mark.parametrize("left", [b"", b"{", b'{"study": "1234'])
+def test_a_journal_whose_head_was_cut_short_is_nobodys(call, left):
+    journal = call.path("t.csv.unfinished")
+    journal.write_bytes(left)
+    said = call("study", call.plan, *TARGETS, "--counts", "5", "-o", call.path("t.csv"))
+    assert said.status == 0, said.err
+    assert not journal.exists()
+
+
+def test_an_empty_set_of_known_elevations_is_written_none(call):
+    arguments = ("study", call.plan, *TARGETS, "--counts", "5", "-o", call.path("t.csv"), "--known-set")
+    assert "none for an empty set" in call.refused(*arguments, " ", status=2)
+
+
 def test_rows_of_another_study_are_not_used(tmp_path):
     table = tmp_path / "t.csv"
     journal = StudyJournal(table, "one")
