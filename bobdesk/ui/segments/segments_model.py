@@ -15,6 +15,7 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.operations import operations
 from bobdesk.ui.strips.run_profile import RunProfile, run_profile_later
+from bobdesk.ui.table_text import plain_number
 from bobdesk.ui.widgets.headed_model import HeadedModel, Index
 from bobdesk.ui.widgets.typed_number import number_to_edit, typed_number
 
@@ -87,7 +88,7 @@ class SegmentsModel(HeadedModel):
             if column.name == LOCK:
                 texts.append(self.tr("yes") if value else "")
             elif column.is_number and isinstance(value, float):
-                texts.append("" if not math.isfinite(value) else column.text(row).replace("−", "-").rstrip("°"))
+                texts.append("" if not math.isfinite(value) else plain_number(column.text(row).rstrip("°")))
             else:
                 texts.append(column.text(row))
         return texts

@@ -10,6 +10,7 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.segments.kind_delegate import KindDelegate
 from bobdesk.ui.segments.segments_model import KIND, SORT_ROLE, SegmentsModel
+from bobdesk.ui.table_text import table_text
 from bobdesk.ui.widgets.table import Table
 
 _SAMPLES = {
@@ -52,7 +53,7 @@ class SegmentsTable(Table):
         rows = [self._row_of(index.row()) for index in self.selectionModel().selectedRows()]
         chosen = sorted(rows) or list(range(self.segments.rowCount()))
         lines = [self.segments.headings(), *(self.segments.row_texts(row) for row in chosen)]
-        QGuiApplication.clipboard().setText("\n".join("\t".join(map(_as_cell, line)) for line in lines))
+        QGuiApplication.clipboard().setText(table_text(lines))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Copy with the usual key."""
@@ -115,8 +116,3 @@ class SegmentsTable(Table):
             self.selectionModel().setCurrentIndex(first, flags.NoUpdate)
             self.scrollTo(first.siblingAtColumn(0))
         self._is_following = False
-
-
-def _as_cell(text: str) -> str:
-    """Return a text so that a spreadsheet takes it for one cell: a tab or a quote at its start would end it early."""
-    return '"' + text.replace('"', '""') + '"' if text.startswith('"') or set(text) & set("\t\n\r") else text

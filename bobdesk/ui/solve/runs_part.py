@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, QLocale, QSignalBlocker, Qt
-from PySide6.QtGui import QColor, QGuiApplication, QPainter, QPixmap
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
+from PySide6.QtGui import QGuiApplication
 
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
 from bobdesk.track.figures import Figures
+from bobdesk.ui.icons import dot
 from bobdesk.ui.shown_result import shown_result_of
 from bobdesk.ui.solve.run_figures import actual_figures, mean_of
+from bobdesk.ui.table_text import plain_number, table_text
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
 from bobdesk.ui.widgets.headed_model import Index
 from bobdesk.ui.widgets.panel import Panel
@@ -31,7 +33,7 @@ class RunsModel(ColumnsModel):
         """Return what a cell shows."""
         if role == Qt.ItemDataRole.DecorationRole and index.column() == _NAME and self.colour_of is not None:
             colour = self.colour_of(index.row())
-            return _dot(colour) if colour else None
+            return dot(colour) if colour else None
         if role == Qt.ItemDataRole.CheckStateRole and self.colour_of is not None and not self.colour_of(index.row()):
             return None
         return super().data(index, role)
@@ -89,11 +91,10 @@ class RunsPart(Part):
         columns = range(_NAME, self.model.columnCount())
         head = [str(self.model.headerData(column, Qt.Orientation.Horizontal)) for column in columns]
         rows = [
-            [self._name(row), *(_for_spreadsheet(self._shown_text(row, column)) for column in columns[1:])]
+            [self._name(row), *(plain_number(self._shown_text(row, column)) for column in columns[1:])]
             for row in range(self.model.rowCount())
         ]
-        text = "\n".join("\t".join(cell.replace("\t", " ") for cell in row) for row in [head, *rows])
-        QGuiApplication.clipboard().setText(text + "\n")
+        QGuiApplication.clipboard().setText(table_text([head, *rows]))
         self.desk.notices.note(self.tr("The table is on the clipboard."))
 
     def _shown_text(self, row: int, column: int) -> str:
@@ -286,24 +287,3 @@ class RunsPart(Part):
             return
         self.note.setText(self.tr("Other rows: difference to {name}.").format(name=baseline.name))
         self.note.show()
-
-
-def _for_spreadsheet(text: str) -> str:
-    """Return a number of the screen as spreadsheets of the same country read it: no groups, a plain minus."""
-    locale = QLocale()
-    plain = text.replace("−", "-").replace(locale.groupSeparator(), "")
-    return plain if locale.toDouble(plain.removeprefix("+"))[1] else text
-
-
-def _dot(colour: str) -> QPixmap:
-    ratio = QGuiApplication.primaryScreen().devicePixelRatio()
-    pixmap = QPixmap(round(12 * ratio), round(12 * ratio))
-    pixmap.setDevicePixelRatio(ratio)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(QColor(colour))
-    painter.drawEllipse(1, 1, 10, 10)
-    painter.end()
-    return pixmap

@@ -18,13 +18,14 @@ from bobdesk.progress import Progress
 from bobdesk.project.project import Project
 from bobdesk.project.runs import InputsDigest, RunInputs
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.icons import dot
 from bobdesk.ui.plots.chart import Chart, Series, colour_of_number
 from bobdesk.ui.plots.chart_view import ChartView
 from bobdesk.ui.studies.beside_window import BesideWindow
 from bobdesk.ui.studies.icon_button import IconButton
 from bobdesk.ui.studies.method_titles import method_titles
 from bobdesk.ui.studies.methods_columns import methods_columns
-from bobdesk.ui.studies.rows_table import RowsModel, RowsTable, dot_of
+from bobdesk.ui.studies.rows_table import RowsModel, RowsTable
 from bobdesk.ui.studies.saving import save_file
 from bobdesk.ui.studies.wrapping_row import wrapping_row
 
@@ -216,7 +217,7 @@ class MethodsWindow(BesideWindow):
         return list(self.titles).index(result.row.method)
 
     def _dot(self, result: MethodResult) -> QPixmap | None:
-        return None if result.row.line is None else dot_of(colour_of_number(self._number_of(result)))
+        return None if result.row.line is None else dot(colour_of_number(self._number_of(result)))
 
     def _on_progress(self, step: object) -> None:
         if not isinstance(step, MethodsProgress):

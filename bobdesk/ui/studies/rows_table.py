@@ -8,9 +8,10 @@ from operator import itemgetter
 from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, QObject, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QPainter, QPixmap
+from PySide6.QtGui import QColor, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QPixmap
 from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
 
+from bobdesk.ui.table_text import plain_number, table_text
 from bobdesk.ui.theme import colours
 from bobdesk.ui.widgets.headed_model import NOWHERE, HeadedModel, Index
 
@@ -134,10 +135,13 @@ class RowsModel(HeadedModel):
         return None
 
     def as_text(self) -> str:
-        """Return the table as it is shown, with tabs."""
+        """Return the table as spreadsheets take it."""
         lines = [[column.heading() for column in self._columns]]
-        lines += [[column.text(row) for column in self._columns] for row in self._rows]
-        return "\n".join("\t".join(" ".join(cell.split()) for cell in line) for line in lines) + "\n"
+        lines += [
+            [plain_number(column.text(row)) if column.is_number else column.text(row) for column in self._columns]
+            for row in self._rows
+        ]
+        return table_text([" ".join(cell.split()) for cell in line] for line in lines)
 
     def _in_order(self, rows: list[Row]) -> list[Row]:
         if self._sorted_by is None:
@@ -212,18 +216,3 @@ class RowsTable(QTableView):
     def copy(self) -> None:
         """Put the table on the clipboard as it is shown, with tabs."""
         QGuiApplication.clipboard().setText(self.rows_model.as_text())
-
-
-def dot_of(colour: str) -> QPixmap:
-    """Return a dot of a colour, as it stands before a name."""
-    ratio = QGuiApplication.primaryScreen().devicePixelRatio()
-    pixmap = QPixmap(round(12 * ratio), round(12 * ratio))
-    pixmap.setDevicePixelRatio(ratio)
-    pixmap.fill(Qt.GlobalColor.transparent)
-    painter = QPainter(pixmap)
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    painter.setPen(Qt.PenStyle.NoPen)
-    painter.setBrush(QColor(colour))
-    painter.drawEllipse(1, 1, 10, 10)
-    painter.end()
-    return pixmap

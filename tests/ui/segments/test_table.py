@@ -130,7 +130,7 @@ def test_sorting_keeps_rows_and_segments_together(desk, now, table):
 def test_rows_are_copied_as_a_spreadsheet_takes_them(desk, table):
     desk.selection.segments = (0, 1)
     QTest.keyClick(table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
-    lines = QGuiApplication.clipboard().text().split("\n")
+    lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 3
     rows = [line.split("\t") for line in lines]
     assert {len(row) for row in rows} == {table.segments.columnCount()}
