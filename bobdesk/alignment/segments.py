@@ -13,6 +13,7 @@ from bobdesk.errors import InputError
 Kind = Literal["straight", "curve"]
 Segments = tuple["Segment", ...]
 SHORTEST = 3.0
+_ROUNDED = 2e-3
 _SAME_STATION = 1e-6
 _CURVE_NUMBER = re.compile(r"^\d+(?:\s+|$)")
 
@@ -214,6 +215,29 @@ def keep_corrections(detected: Segments, previous: Segments, *, shortest: float 
             result.append(kept)
             result.sort(key=lambda segment: segment.start)
     return _with_names(_join_slivers(result, shortest), previous)
+
+
+def keep_locked(segments: Segments, previous: Segments) -> Segments:
+    """Return segments with the names and locks of those in `previous` that are locked.
+
+    Raises
+    ------
+    InputError
+        If a locked one is not among them, to a few millimetres.
+    """
+    result = list(segments)
+    for index, locked in enumerate(previous):
+        if not locked.locked:
+            continue
+        same = [
+            place
+            for place, one in enumerate(result)
+            if one.kind == locked.kind and max(abs(one.start - locked.start), abs(one.end - locked.end)) <= _ROUNDED
+        ]
+        if not same:
+            raise InputError(f"segment {index + 1} is locked, and the file has it otherwise; unlock it first")
+        result[same[0]] = replace(result[same[0]], locked=True, name=result[same[0]].name or locked.name)
+    return tuple(result)
 
 
 def join_short(segments: Segments, *, shortest: float = SHORTEST) -> Segments:

@@ -117,10 +117,11 @@ def set_segmentation(project: Project, settings: SegmentationSettings) -> Projec
 def set_segments(project: Project, segments: Segments) -> Project:
     """Take all segments from a file; they count as made by hand.
 
-    Those that are shorter than a segment may be made by hand join their longer neighbour.
+    Those that are shorter than a segment may be made by hand join their longer neighbour. What is locked must be
+    among them as it is.
     """
     line = derive.centreline(project).needed()
-    checked = check_segments(segments, length=line.length)
+    checked = alignment.keep_locked(check_segments(segments, length=line.length), project.segments or ())
     loose = tuple(replace(segment, by_hand=False) for segment in checked)
     checked = alignment.join_short(loose, shortest=shortest_by_hand(project))
     return replace(project, segments=tuple(replace(segment, by_hand=True) for segment in checked))

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 
 import numpy as np
 import pandas as pd
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 
 from bobdesk.alignment.centreline import fit_centreline
 from bobdesk.alignment.segments import Segment
+from bobdesk.errors import InputError
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.files.exporters.tables import LINE_COLUMNS, line_table, segments_table
 from bobdesk.files.importers.csv_points import read_csv_points
@@ -102,6 +104,21 @@ def test_segments_are_read_back(line, tmp_path):
             assert [segment.end for segment in again] == pytest.approx([segment.end for segment in segments], abs=6e-4)
             twice = read_segments(path, length=3 * centreline.length, scale=3.0)
             assert twice[-1].end == pytest.approx(3 * centreline.length, abs=1e-6)
+
+
+def test_names_and_locks_come_back_and_have_columns_only_where_there_are_any(line, tmp_path):
+    centreline, segments, _ = line
+    path = tmp_path / "s.csv"
+    marked = (replace(segments[0], name='=1 "Kreisel", upper'), replace(segments[1], locked=True), *segments[2:])
+    for flavour in FLAVOURS.values():
+        if flavour.header:
+            path.write_bytes(segments_table(centreline, marked, flavour=flavour))
+            again = read_segments(path, length=centreline.length)
+            assert [(one.name, one.locked) for one in again] == [(one.name, one.locked) for one in marked]
+    assert b"name" not in segments_table(centreline, segments)
+    path.write_text("kind,from_m,to_m,locked\nstraight,0,50,perhaps\n")
+    with pytest.raises(InputError, match="line 2, column locked holds 'perhaps'"):
+        read_segments(path, length=50.0)
 
 
 def test_figures_of_segments(line):

@@ -9,7 +9,7 @@ import numpy as np
 
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
-from bobdesk.files.exporters.csv_flavours import FLAVOURS, Flavour, to_csv
+from bobdesk.files.exporters.csv_flavours import FLAVOURS, Flavour, text_cell, to_csv
 from bobdesk.plan.traced_line import Trace
 from bobdesk.solve.envelope import Envelope
 from bobdesk.track.centreline3d import Centreline3D
@@ -52,9 +52,11 @@ def line_table(line: Centreline3D, *, flavour: str = "default") -> bytes:
 
 
 def segments_table(centreline: Centreline, segments: Segments, *, flavour: Flavour | None = None) -> bytes:
-    """Return SEGMENTS.csv; a straight has no radius."""
+    """Return SEGMENTS.csv; a straight has no radius, and names and locks have columns only where there are any."""
     from bobdesk.alignment.segment_figures import segment_figures  # here, for it needs scipy
 
+    chosen = flavour or FLAVOURS["default"]
+    marked = any(segment.name or segment.locked for segment in segments)
     rows = []
     for number, segment in enumerate(segments, 1):
         found = segment_figures(centreline, segment)
@@ -62,8 +64,10 @@ def segments_table(centreline: Centreline, segments: Segments, *, flavour: Flavo
         rows.append(
             [str(number), segment.kind, f"{segment.start:.3f}", f"{segment.end:.3f}", radius, f"{found.turn:.6f}"]
         )
+        if marked:
+            rows[-1] += [text_cell(segment.name, chosen), "yes" if segment.locked else ""]
     header = ("segment", "kind", "from_m", "to_m", "radius_m", "turn_rad")
-    return to_csv(header, rows, flavour or FLAVOURS["default"])
+    return to_csv((*header, "name", "locked") if marked else header, rows, chosen)
 
 
 def trace_table(metres: FloatArray, trace: Trace) -> bytes:

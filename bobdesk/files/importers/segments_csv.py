@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
 from bobdesk.alignment.segments import Kind, Segment, Segments, check_segments
 from bobdesk.errors import InputError
-from bobdesk.files.importers.table import read_table
+from bobdesk.files.importers.table import Table, read_table
 from bobdesk.sentences import are_missing
 
 _NEAR_END = 0.002
 
 
 def read_segments(path: Path, *, length: float, scale: float = 1.0) -> Segments:
-    """Read segments with the columns kind, from_m and to_m, for a line of `length` metres.
+    """Read segments with the columns kind, from_m and to_m, for a line of `length` metres; name and locked may be.
 
     The last segment may end up to 0.2 % beside the line's end, since a line that is fitted anew is
     rarely as long to the millimetre; it is moved there. The stations are multiplied by `scale`.
@@ -39,9 +41,14 @@ def read_segments(path: Path, *, length: float, scale: float = 1.0) -> Segments:
                 f"{path}, line {table.lines[row]}, column kind holds '{word[:40]}'; it must be straight or curve"
             )
         kinds.append("straight" if word == "straight" else "curve")
-    segments = [Segment(kind, float(start), float(end)) for kind, start, end in zip(kinds, starts, ends, strict=True)]
+    segments = [
+        Segment(kind, float(start), float(end), _is_yes(locked, path, line), " ".join(name.removeprefix("'").split()))
+        for kind, start, end, name, locked, line in zip(
+            kinds, starts, ends, _texts(table, "name"), _texts(table, "locked"), table.lines, strict=True
+        )
+    ]
     if abs(segments[-1].end - length) <= _NEAR_END * length and segments[-1].start < length:
-        segments[-1] = Segment(segments[-1].kind, segments[-1].start, length)
+        segments[-1] = replace(segments[-1], end=length)
     try:
         return check_segments(_joined(segments), length=length)
     except InputError as error:
@@ -53,5 +60,17 @@ def _joined(segments: list[Segment]) -> list[Segment]:
     result = segments[:1]
     for segment in segments[1:]:
         start = result[-1].end if abs(segment.start - result[-1].end) <= 1.5e-3 else segment.start
-        result.append(Segment(segment.kind, start, segment.end))
+        result.append(replace(segment, start=start))
     return result
+
+
+def _texts(table: Table, column: str) -> list[str]:
+    """Return the cells of a column of words, empty ones where there is none."""
+    index = table.header.index(column) if table.header and column in table.header else math.inf
+    return [cells[int(index)].strip() if index < len(cells) else "" for cells in table.rows]
+
+
+def _is_yes(word: str, path: Path, line: int) -> bool:
+    if word.lower() not in ("", "yes", "no"):
+        raise InputError(f"{path}, line {line}, column locked holds '{word[:40]}'; it must be yes, no or empty")
+    return word.lower() == "yes"

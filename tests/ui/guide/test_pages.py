@@ -2,6 +2,7 @@
 
 import ast
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -254,7 +255,8 @@ def test_the_columns_of_the_segments_are_those_that_are_written():
     from bobdesk.project import derive
 
     project = load_project(ROOT / "resources" / "samples" / "mugello" / "mugello.bobdesk")
-    content = segments_table(derive.centreline(project).needed(), derive.segments(project).needed())
+    first, *others = derive.segments(project).needed()
+    content = segments_table(derive.centreline(project).needed(), (replace(first, locked=True), *others))
     assert header(content) == columns_below("## Segments")
 
 

@@ -15,7 +15,7 @@ from bobdesk.files.project_file import load_project, save_project
 from bobdesk.files.recovery import Recovery
 from bobdesk.files.recovery_store import recover, recoverable
 from bobdesk.plan.polyline import Polyline
-from bobdesk.project import edits
+from bobdesk.project import edits, segment_edits
 from bobdesk.project.project import Project, SourceLine
 from bobdesk.project.segment_edits import shortest_by_hand
 from bobdesk.project.steps import steps
@@ -138,6 +138,25 @@ def test_segments_are_saved_and_opened(desk, now, panel, tmp_path, window, told,
     assert "line 3" in told[-1]
     assert desk.session.project is project
     assert not files.save(tmp_path / "nowhere" / "s.csv")
+
+
+def test_a_file_that_has_a_locked_segment_otherwise_is_refused(desk, now, panel, window, tmp_path, told):
+    files = SegmentFiles(desk, window)
+    assert files.save(tmp_path / "s.csv")
+    desk.session.apply("Name", lambda project: segment_edits.name_segment(project, 1, "Kreisel"))
+    desk.session.apply("Lock", lambda project: segment_edits.lock_segment(project, 1))
+    assert files.open(tmp_path / "s.csv")
+    kept = desk.session.project.segments[1]
+    assert (kept.name, kept.locked) == ("Kreisel", True), "the file knows neither, and has it where it is"
+    before = desk.session.project
+    rows = (tmp_path / "s.csv").read_text().splitlines()
+    one, two = (row.split(",") for row in rows[2:4])
+    moved = f"{float(one[3]) + 1:.3f}"
+    rows[2], rows[3] = ",".join([*one[:3], moved, *one[4:]]), ",".join([*two[:2], moved, *two[3:]])
+    (tmp_path / "moved.csv").write_text("\n".join(rows) + "\n")
+    assert not files.open(tmp_path / "moved.csv")
+    assert desk.session.project is before
+    assert "segment 2 is locked, and the file has it otherwise" in told[-1].lower()
 
 
 SHORT = {
