@@ -12,6 +12,7 @@ from bobdesk.project import edits
 from bobdesk.project.project import Project
 from bobdesk.ui.actions.action import Action
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.questions import Questions
 
 _LIMIT_BYTES = 10_000_000
 _SUFFIX = ".points"
@@ -30,6 +31,7 @@ class ScaleActions(QObject):
         super().__init__(window)
         self._desk = desk
         self._window = window
+        self._questions = Questions(desk.settings, window)
 
     def table(self) -> tuple[Action, ...]:
         """Return the rows for menus and keys."""
@@ -103,19 +105,12 @@ class ScaleActions(QObject):
 
     def save_by_dialog(self) -> None:
         """Ask for a file and write the control points into it."""
-        folder = self._desk.settings.folder("points")
         picture = self._desk.session.project.picture
-        proposed = Path(picture.name if picture is not None else "plan").with_suffix(_SUFFIX).name
-        name, _ = QFileDialog.getSaveFileName(
-            self._window,
-            self.tr("Save Control Points"),
-            str(Path(folder) / proposed) if folder else proposed,
-            self.tr("QGIS control points (*.points)"),
-        )
-        if name:
-            path = Path(name)
-            self._desk.settings.set_folder("points", path.parent)
-            self.save(path if path.suffix else path.with_suffix(_SUFFIX))
+        name = Path(picture.name).stem if picture is not None else "plan"
+        filters = self.tr("QGIS control points (*.points)")
+        path = self._questions.file_to_save("points", self.tr("Save Control Points"), name, filters, _SUFFIX)
+        if path is not None:
+            self.save(path)
 
     def load(self, path: Path) -> bool:
         """Take the control points of a file; return whether they could be taken."""

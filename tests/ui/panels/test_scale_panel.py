@@ -10,6 +10,7 @@ from bobdesk.plan.qgis_points import parse_qgis_points
 from bobdesk.project import derive, edits
 from bobdesk.project.project import Project
 from bobdesk.ui.panels.scale_panel import ScalePanel
+from bobdesk.ui.questions import Questions
 from tests.project.made_projects import coordinates_project
 from tests.ui.panels.cells import checked, shown, typed
 
@@ -132,7 +133,7 @@ def test_removing_the_selected_point_and_undoing_it(desk, opened, panel):
 
 def test_points_go_to_qgis_and_come_back(desk, opened, panel, tmp_path, monkeypatch, told):
     path = tmp_path / "plan.points"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args: (str(path.with_suffix("")), ""))
+    monkeypatch.setattr(Questions, "file_to_save", lambda *_args: path)
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_args: (str(path), ""))
     panel.points.save_button.click()
     points = desk.session.project.control_points
