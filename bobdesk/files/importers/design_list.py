@@ -13,7 +13,11 @@ from bobdesk.files.importers.table import read_bytes, table_from
 from bobdesk.sentences import are_missing, listed
 
 _NUMBERS = ("from_m", "length_m", "radius_m")
-_SIDES = {"left": "left", "l": "left", "right": "right", "r": "right", "": None}
+_SIDES = {
+    "": None,
+    **dict.fromkeys(("left", "l", "links", "gauche", "sinistra"), "left"),
+    **dict.fromkeys(("right", "r", "rechts", "droite", "destra"), "right"),
+}
 
 
 def read_design_list(path: Path) -> DesignList:

@@ -41,6 +41,7 @@ class AutomaticPart(Part):
             form, self.tr("Wanted number"), self.count,
             self.tr("So many segments; a left and a right curve without a straight between them count as two"),
         )  # fmt: skip
+        self.kept = panel.add_label("", "muted", self.column)
         self.shortest = Spin(self.tr("Shortest segment"), self)
         self.shortest.setDecimals(1)
         self.shortest.valueChanged.connect(self._on_shortest)
@@ -99,6 +100,7 @@ class AutomaticPart(Part):
         self.threshold.show_range(1e-4 / factor, 1.0 / factor)
         self.threshold.show_value(shown / factor)
         self.count.show_value(settings.count or 0)
+        self._show_kept(settings.count)
         for spin, value, most in (
             (self.shortest, settings.shortest, 100.0),
             (self.cost, settings.change_cost, 100.0),
@@ -114,6 +116,16 @@ class AutomaticPart(Part):
         self.shortest.setEnabled(settings.count is None)
         self.cost.setEnabled(settings.count is None)
         self._show_gain()
+
+    def _show_kept(self, wanted: int | None) -> None:
+        """Say why there are more segments than were wanted, or fewer."""
+        found = self._now.segments
+        differs = self._now.is_current and bool(found) and wanted not in (None, len(found))
+        self.kept.setVisible(differs)
+        if differs:
+            self.kept.setText(
+                self.tr("{count} segments, since those that are locked or made by hand stay.").format(count=len(found))
+            )
 
     def _add_threshold(self, form: object) -> tuple[Spin, QCheckBox]:
         spin = Spin(self.tr("Curvature threshold"), self)

@@ -22,7 +22,7 @@ def test_the_sample_is_read():
 def test_a_table_is_read_in_any_dialect(tmp_path):
     path = tmp_path / "list.csv"
     path.write_text(
-        "name;from_m;length_m;radius_m;direction\nB;20,5;10,5;15,0;R\nA;1,0;2,0;3,0;left\n;90,0;9,0;30,0;\n"
+        "name;from_m;length_m;radius_m;direction\nB;20,5;10,5;15,0;Rechts\nA;1,0;2,0;3,0;l\n;90,0;9,0;30,0;\n"
     )
     first, second, third = read_design_list(path).curves
     assert first == DesignCurve(1.0, 2.0, 3.0, "left", "A")

@@ -74,6 +74,19 @@ def test_every_setting_is_one_merged_step(desk, now, panel, idle):
     assert desk.session.project.segmentation.count is None
 
 
+def test_it_is_said_why_there_are_more_segments_than_wanted(desk, now, panel, idle):
+    assert not panel.automatic.kept.isVisible()
+    desk.session.apply("Lock", lambda project: segment_edits.lock_segments(project, range(8)))
+    panel.automatic.count.setValue(5)
+    idle()
+    assert len(now.segments) > 5
+    assert panel.automatic.kept.isVisible()
+    assert panel.automatic.kept.text().startswith(f"{len(now.segments)} segments, since those that are locked")
+    desk.session.undo()
+    idle()
+    assert not panel.automatic.kept.isVisible()
+
+
 def test_the_picture_of_the_fit_chooses_a_number(desk, now, panel, idle):
     gain = panel.automatic.gain
     assert len(gain.shares) > 17
