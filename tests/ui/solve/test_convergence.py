@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, Qt
 
 from bobdesk.files.project_file import load_project, save_project
 from bobdesk.project.record import COLUMNS
+from bobdesk.ui.plots import convergence_data
 from bobdesk.ui.plots.convergence import ConvergencePlot
 from bobdesk.ui.plots.convergence_data import NOTHING, SERIES, ConvergenceData, extremes, logarithms
 from bobdesk.ui.solve.convergence_part import ConvergencePart
@@ -30,6 +31,13 @@ def pixels_of(plot):
     image = plot.grab().toImage()
     buffer = np.frombuffer(image.constBits(), dtype=np.uint8).reshape(image.height(), image.bytesPerLine())
     return buffer[:, : 4 * image.width()].reshape(image.height(), image.width(), 4)[:, :, :3].copy()
+
+
+@pytest.fixture(params=["grows", "as it is"], autouse=True)
+def room(request, monkeypatch):
+    """Most runs never fill the first room; here it is filled as well."""
+    if request.param == "grows":
+        monkeypatch.setattr(convergence_data, "_FIRST_ROOM", 128)
 
 
 @pytest.mark.parametrize(
