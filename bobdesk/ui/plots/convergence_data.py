@@ -12,7 +12,8 @@ SERIES = ("objective", "length term", "height term", "other terms", "length", "d
 _NUMBER, _STAGE, _OBJECTIVE, _LENGTH, _DROP, _OPTIMALITY, _STEP, _SCALE = range(len(COLUMNS))
 # A logarithm of what is 0 or less: below everything, and drawn on the lower edge.
 NOTHING = -400.0
-# Room that nobody has written to costs no memory; to move what is written costs a picture of a long run most of its time.
+# Room that nobody has written to costs no memory; to move what is written costs a picture of a long run most of its
+# time.
 _FIRST_ROOM = 1 << 18
 _BLOCK = 64
 
