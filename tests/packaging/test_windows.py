@@ -226,6 +226,10 @@ def test_what_fails_without_a_console_is_shown(monkeypatch):
     assert len(shown) == 1
     assert "chek" in shown[0]
     assert sys.frozen is True
+    monkeypatch.setattr(sys, "stderr", None)
+    monkeypatch.setattr(sys, "argv", ["launch.py", "selftest", "--report"])
+    assert launch.main() == 2
+    assert len(shown) == 1, "nobody would close the box of a self-test"
 
 
 def test_no_file_names_a_place_of_some_machine():

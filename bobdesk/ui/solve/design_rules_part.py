@@ -45,7 +45,8 @@ class DesignRulesPart(Part):
         self.table = Table(self.tr("Design rules"), self.model, fewest_rows=4, most_rows=12, parent=self)
         self.table.setSelectionMode(Table.SelectionMode.SingleSelection)
         self.table.fit_columns(
-            ("", "acceleration in curves, to", "! 8,888.8", "8,888", "8,888", "curves", "8,888", "8,888", "x" * 60)
+            # What is broken is bold, and wider than the metrics say.
+            ("", "acceleration in curves", "! 88,888.8", "8,888", "8,888", "curves", "8,888", "8,888", "x" * 60)
         )
         self.column.addWidget(self.table)
         self.detail = panel.add_label("", "muted", self.column)
