@@ -169,6 +169,19 @@ def _minimised(
     return minimise(value_and_derivative if exact else value, start, **options)
 
 
+class _CheckedHessian(SR1):
+    """Its products are what trust-constr spends its time on between two evaluations."""
+
+    def __init__(self, calls: Calls[FloatArray]) -> None:
+        super().__init__()
+        self._calls = calls
+
+    def dot(self, p: Any) -> Any:
+        """Return the product with a vector."""
+        self._calls.check()
+        return super().dot(p)
+
+
 def _trust_constr(
     value_and_derivative: Callable[[FloatArray], tuple[float, FloatArray]],
     problem: Problem,
@@ -195,7 +208,7 @@ def _trust_constr(
             scaled,
             start * roots,
             jac=True,
-            hess=SR1(),
+            hess=_CheckedHessian(calls),
             method="trust-constr",
             bounds=Bounds(targets.min_gradient * roots, targets.max_gradient * roots),
             constraints=[LinearConstraint(rows / roots, wanted, wanted)],
