@@ -97,7 +97,9 @@ class AutomaticPart(Part):
             self.threshold_auto.setChecked(is_automatic and not self._now.is_trying_threshold)
         shown = self._now.threshold or settings.threshold or 0.004
         self.threshold.setSuffix(f" 1/{unit.length_unit}")
-        self.threshold.show_range(1e-4 / factor, 1.0 / factor)
+        with QSignalBlocker(self.threshold):
+            self.threshold.setDecimals(4 if shown / factor >= 1e-3 else 6)
+        self.threshold.show_range(min(1e-4, shown) / factor, 1.0 / factor)
         self.threshold.show_value(shown / factor)
         self.count.show_value(settings.count or 0)
         self._show_kept(settings.count)

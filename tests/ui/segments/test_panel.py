@@ -1,5 +1,6 @@
 """The panel of the segments: settings, rules, designs, files."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -72,6 +73,16 @@ def test_every_setting_is_one_merged_step(desk, now, panel, idle):
     idle()
     assert min(segment.length for segment in now.segments) >= 40.0
     assert desk.session.project.segmentation.count is None
+
+
+def test_a_small_threshold_is_shown_as_it_is(desk, now, panel, idle):
+    settings = replace(desk.session.project.segmentation, threshold=3.5e-5)
+    desk.session.apply("Threshold", lambda project: segment_edits.set_segmentation(project, settings))
+    idle()
+    assert panel.automatic.threshold.value() == 3.5e-5
+    desk.session.undo()
+    idle()
+    assert panel.automatic.threshold.decimals() == 4
 
 
 def test_it_is_said_why_there_are_more_segments_than_wanted(desk, now, panel, idle):
