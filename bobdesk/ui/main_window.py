@@ -30,7 +30,7 @@ from bobdesk.ui.start import Start
 from bobdesk.ui.status_bar import StatusBar
 from bobdesk.ui.steps_bar import StepsBar
 from bobdesk.ui.studies.beside_windows import BesideWindows
-from bobdesk.ui.warm_up import warm_up_steps
+from bobdesk.ui.warm_up import warm_up_plots, warm_up_steps
 from bobdesk.ui.window_actions import make_actions
 from bobdesk.ui.window_layout import WindowLayout
 from bobdesk.ui.window_panels import WindowPanels
@@ -106,7 +106,7 @@ class MainWindow(QMainWindow):
 
     def warm_up(self) -> None:
         """Load what the first trace needs, while the user looks at the window."""
-        self.desk.runner.start(self.tr("Getting ready"), warm_up_steps)
+        self.desk.runner.start(self.tr("Getting ready"), warm_up_steps, done=lambda _: warm_up_plots())
 
     def toggle_full_screen(self, on: bool) -> None:
         """Fill the screen, or not."""

@@ -17,7 +17,6 @@ _MODULES = (
     "bobdesk.project.derive",
     "bobdesk.plan.trace",
     "bobdesk.alignment.segmentation",
-    "pyqtgraph",
 )
 
 
@@ -26,6 +25,15 @@ def warm_up_steps() -> Generator[Progress, None, None]:
     for index, module in enumerate(_MODULES):
         importlib.import_module(module)
         yield Progress((index + 1) / len(_MODULES), "Getting ready")
+
+
+def warm_up_plots() -> None:
+    """Import what plots need, on the window's own thread.
+
+    Pyqtgraph asks for every class of Qt while it is loaded. On another thread that ended the program now and then,
+    where the window made use of one of these classes at the same moment.
+    """
+    importlib.import_module("pyqtgraph")
     # What was loaded stays: looking through it again and again for garbage costs single frames 15 ms.
     gc.collect()
     gc.freeze()

@@ -52,9 +52,10 @@ def frames(kind: str, vertices: int) -> Row:
     from bobdesk.ui.selection import Selection
     from bobdesk.ui.session import Session
     from bobdesk.ui.settings import Settings
-    from bobdesk.ui.warm_up import warm_up_steps
+    from bobdesk.ui.warm_up import warm_up_plots, warm_up_steps
 
     finish(warm_up_steps())
+    warm_up_plots()
     with tempfile.TemporaryDirectory() as folder:
         session, runner, settings = Session(), Runner(), Settings(Path(folder) / "settings.ini")
         shown = PlanPicture(session, runner)

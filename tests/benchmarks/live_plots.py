@@ -25,7 +25,7 @@ from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.solving import solving_of
 from bobdesk.ui.theme import apply_theme
-from bobdesk.ui.warm_up import warm_up_steps
+from bobdesk.ui.warm_up import warm_up_plots, warm_up_steps
 from tests.project.made_projects import ready_project
 
 _EVERY_MS = 20
@@ -127,6 +127,7 @@ def main(rounds=5, seconds=10.0):
     qapp = QApplication.instance() or QApplication([])
     apply_theme(qapp, "light")
     finish(warm_up_steps())
+    warm_up_plots()
     project = edits.set_solver(
         edits.set_spacing(ready_project(), 10.0), SolverSettings(method="published", rate=1e-10, threshold=1e-300)
     )

@@ -22,7 +22,7 @@ from bobdesk.ui.selection import Selection
 from bobdesk.ui.session import Session
 from bobdesk.ui.settings import Settings
 from bobdesk.ui.solving import Solving
-from bobdesk.ui.warm_up import warm_up_steps
+from bobdesk.ui.warm_up import warm_up_plots, warm_up_steps
 
 LONG_LINE = Path(__file__).parent.parent.parent / "resources" / "samples" / "sa_calobra" / "sa_calobra.bobdesk"
 _TIMES = 5
@@ -58,6 +58,7 @@ def main() -> None:
     desk.session.open(load_project(LONG_LINE), None)
     # The window has worked these out before one presses F5.
     finish(warm_up_steps())
+    warm_up_plots()
     derive.run_inputs(desk.session.project).needed()
     solving = Solving(desk, owner)
 

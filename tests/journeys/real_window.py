@@ -72,6 +72,8 @@ class RealWindow:
             "XDG_CACHE_HOME": str(home / "cache"),
             "QT_QPA_PLATFORM": "xcb",
             "LC_ALL": "C.UTF-8",
+            # Where it ends by a fault, what it says shows where.
+            "PYTHONFAULTHANDLER": "1",
             **(environment or {}),
         }
         self._said = (home / "said.txt").open("wb")
@@ -103,7 +105,10 @@ class RealWindow:
         self._connection.sendall(question.replace("\n", " ").encode() + b"\n")
         line = b""
         while not line.endswith(b"\n"):
-            piece = self._connection.recv(1 << 20)
+            try:
+                piece = self._connection.recv(1 << 20)
+            except ConnectionResetError:
+                piece = b""
             if not piece:
                 raise AssertionError(f"the program has ended: {self.output}")
             line += piece
