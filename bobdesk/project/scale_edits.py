@@ -9,7 +9,8 @@ from typing import TypeVar
 
 from bobdesk.errors import InputError
 from bobdesk.plan.control_points import ControlPoint, KnownDistance
-from bobdesk.project.project import CalibrationWay, Project
+from bobdesk.project import derive
+from bobdesk.project.project import CalibrationChoice, CalibrationWay, Project
 
 Item = TypeVar("Item")
 
@@ -77,34 +78,48 @@ def remove_check_distance(project: Project, index: int) -> Project:
 
 def choose_scale_way(project: Project, way: CalibrationWay) -> Project:
     """Choose how pixels become metres; a number that the way needs may be given afterwards."""
-    return replace(project, calibration=replace(project.calibration, way=way))
+    return _calibrated(project, replace(project.calibration, way=way))
 
 
 def scale_by_points(project: Project) -> Project:
     """Let control points and known distances make the scale."""
-    return replace(project, calibration=replace(project.calibration, way="points"))
+    return _calibrated(project, replace(project.calibration, way="points"))
 
 
 def scale_by_number(project: Project, metres_per_pixel: float) -> Project:
     """Give the scale as metres per pixel."""
     value = _positive(metres_per_pixel, "the scale must be a positive number of metres per pixel")
-    return replace(project, calibration=replace(project.calibration, way="scale", metres_per_pixel=value))
+    return _calibrated(project, replace(project.calibration, way="scale", metres_per_pixel=value))
 
 
 def scale_of_drawing(project: Project, one_to: float) -> Project:
     """Give the scale of the drawing, 1 : `one_to`, for a picture that says its dpi."""
     value = _positive(one_to, "a drawing scale is 1 : a positive number")
-    return replace(project, calibration=replace(project.calibration, way="drawing scale", one_to=value))
+    return _calibrated(project, replace(project.calibration, way="drawing scale", one_to=value))
 
 
 def scale_by_position(project: Project) -> Project:
     """Let the picture's own tags or world file make the scale."""
-    return replace(project, calibration=replace(project.calibration, way="world"))
+    return _calibrated(project, replace(project.calibration, way="world"))
 
 
 def find_the_scale(project: Project) -> Project:
-    """Say that the scale is unknown, so that it is solved for."""
-    return replace(project, calibration=replace(project.calibration, way="unknown"))
+    """Say that the scale is unknown, so that it is solved for; known elevations then count in pixels."""
+    return _calibrated(project, replace(project.calibration, way="unknown"))
+
+
+def _calibrated(project: Project, choice: CalibrationChoice) -> Project:
+    """Choose how pixels become metres; known elevations stay at their places where their unit becomes another."""
+    after = replace(project, calibration=choice)
+    known = derive.scale_is_known(after)
+    if project.picture is None or derive.scale_is_known(project) == known:
+        return after
+    found = derive.calibration(after if known else project).value
+    if found is None:
+        return after
+    factor = found.metres_per_pixel if known else 1 / found.metres_per_pixel
+    moved = (replace(each, station=round(factor * each.station, 6)) for each in project.known_elevations)
+    return replace(after, known_elevations=tuple(moved))
 
 
 def _positive(value: float, sentence: str) -> float:

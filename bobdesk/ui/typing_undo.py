@@ -28,14 +28,20 @@ class TypingUndo(QObject):
     ----------
     keys
         Returns the keys of Undo, and those of Redo.
+    windows
+        Returns the keys that are the window's in a field, too: on some systems Ctrl+E leads to a field's end.
     """
 
     def __init__(
-        self, window: QWidget, keys: Callable[[], tuple[Iterable[QKeySequence], Iterable[QKeySequence]]]
+        self,
+        window: QWidget,
+        keys: Callable[[], tuple[Iterable[QKeySequence], Iterable[QKeySequence]]],
+        windows: Callable[[], Iterable[QKeySequence]] = tuple,
     ) -> None:
         super().__init__(window)
         self._window = window
         self._keys = keys
+        self._windows = windows
         self._field: QWidget | None = None
         self._line: QLineEdit | None = None
         self._is_typing = False
@@ -68,6 +74,9 @@ class TypingUndo(QObject):
         if event.type() not in (QEvent.Type.ShortcutOverride, QEvent.Type.KeyPress) or not isinstance(event, QKeyEvent):
             return False
         pressed = QKeySequence(event.keyCombination())
+        if event.type() == QEvent.Type.ShortcutOverride and pressed in self._windows():
+            event.ignore()
+            return True
         undo_keys, redo_keys = self._keys()
         is_undo, is_redo = pressed in undo_keys, pressed in redo_keys
         if not (is_undo or is_redo):

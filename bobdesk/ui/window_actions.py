@@ -39,7 +39,7 @@ def make_actions(window: MainWindow) -> ActionSet:
         *EditActions(
             desk.session,
             window.plans,
-            TypingUndo(window, undo_keys),
+            TypingUndo(window, undo_keys, lambda: made["export"].shortcuts()),
             view.take_back,
             lambda: view.tool_name not in ("select", "boundaries"),
             window,

@@ -151,6 +151,21 @@ def test_an_unknown_scale_is_brought_near_true_size() -> None:
     assert inputs.targets.known[0].station == pytest.approx(inputs.factor * project.known_elevations[0].station)
 
 
+def test_known_elevations_stay_at_their_places_where_the_scale_becomes_unknown() -> None:
+    project = ready_project()
+    scale = derive.calibration(project).needed().metres_per_pixel
+    assert scale != 1.0
+    unknown = edits.find_the_scale(project)
+    for before, after in zip(project.known_elevations, unknown.known_elevations, strict=True):
+        assert after.station == pytest.approx(before.station / scale, abs=1e-6)
+        assert after.elevation == before.elevation
+    assert edits.find_the_scale(unknown).known_elevations == unknown.known_elevations
+    again = edits.scale_by_number(unknown, 2 * scale)
+    assert [each.station for each in again.known_elevations] == pytest.approx(
+        [2 * each.station for each in project.known_elevations], abs=1e-5
+    )
+
+
 @pytest.mark.parametrize("method", ["pgd", "published", "slsqp", "unknown scale"])
 def test_a_run_gives_back_the_solvers_line_bit_by_bit(method: str) -> None:
     project = ready_project()

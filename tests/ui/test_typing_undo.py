@@ -191,3 +191,13 @@ def test_what_was_typed_when_the_step_changed_is_taken(window, idle):
     press(Qt.Key.Key_5, CTRL)
     idle()
     assert session.project.segmentation.shortest == 31.0
+
+
+@pytest.mark.parametrize(("step", "kind"), [("Solve", QLineEdit), ("Segments", QAbstractSpinBox)])
+def test_export_by_key_leaves_a_field(window, idle, step, kind):
+    found = panel(window, step)
+    idle()
+    take(next(one for one in found.findChildren(kind) if one.isVisible() and one.isEnabled()))
+    press(Qt.Key.Key_E, CTRL)
+    assert window.panels.stack.currentWidget() is window.panels._shown["Export"]
+    idle()

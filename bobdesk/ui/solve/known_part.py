@@ -98,19 +98,28 @@ class KnownPart(Part):
             value = self._value(row, field)
             if value is None:
                 return self.tr("type it") if field == "elevation" else ""
-            return unit.length(value, 2, unit=False)
+            return unit.number(value * factor(field), 2)
 
         def edited(row: int, field: str) -> str:
             value = self._value(row, field)
-            return "" if value is None else number_to_edit(value * unit.length_factor)
+            return "" if value is None else number_to_edit(value * factor(field))
+
+        def factor(field: str) -> float:
+            return 1.0 if in_pixels(field) else unit.length_factor
+
+        def in_pixels(field: str) -> bool:
+            from bobdesk.project import derive
+
+            project = self.desk.session.project
+            return field == "station" and project.picture is not None and not derive.scale_is_known(project)
 
         def column(heading: str, tip: str, field: str) -> Column:
             return Column(
-                lambda: f"{heading} {unit.length_unit}",
+                lambda: f"{heading} {'px' if in_pixels(field) else unit.length_unit}",
                 tip,
                 lambda row: text(row, field),
                 lambda row: edited(row, field),
-                lambda row, typed: self._change(row, **{field: typed_number(typed) / unit.length_factor}),
+                lambda row, typed: self._change(row, **{field: typed_number(typed) / factor(field)}),
             )
 
         return (
@@ -157,7 +166,7 @@ class KnownPart(Part):
         return False
 
     def _on_add(self) -> None:
-        from bobdesk.project import derive, edits
+        from bobdesk.project import derive
 
         project = self.desk.session.project
         line = derive.polyline(project).value
@@ -169,11 +178,7 @@ class KnownPart(Part):
         length = float(arc_lengths(line.vertices)[-1])
         station = self.desk.selection.station
         station = length / 2 if station is None else min(max(station, 0.0), length)
-        known = KnownElevation(round(station, 2), round(project.targets.drop * (1 - station / length), 2))
-        if self.desk.session.apply(self.tr("Add known elevation"), lambda now: edits.add_known_elevation(now, known)):
-            row = self._known.index(known)
-            self.table.setCurrentIndex(self.model.index(row, 1))
-            self.table.edit(self.model.index(row, 1))
+        self.begin(station)
 
     def _on_remove(self) -> None:
         from bobdesk.project import edits

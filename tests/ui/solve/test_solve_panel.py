@@ -3,12 +3,13 @@ import pytest
 from PySide6.QtCore import QLocale, Qt
 from PySide6.QtGui import QGuiApplication
 
-from bobdesk.project import edits
+from bobdesk.project import derive, edits
 from bobdesk.project.project import ActualTrack
 from bobdesk.ui.panels.solve_panel import SolvePanel
 from bobdesk.ui.solve.preset_dialog import PresetDialog
 from bobdesk.ui.solve.presets import presets
 from bobdesk.ui.theme import apply_theme
+from bobdesk.ui.widgets.typed_number import typed_number
 
 
 @pytest.fixture
@@ -150,15 +151,26 @@ def test_start_houses(desk, panel, idle, monkeypatch):
 def test_a_known_elevation_is_added_at_the_cursor_and_changed_in_the_table(desk, panel, idle):
     desk.selection.station = 100.0
     panel.known.add_button.click()
-    rows = desk.session.project.known_elevations
-    assert rows[0].station == 100.0
+    assert len(desk.session.project.known_elevations) == 1, "no elevation that nobody has typed"
     model = panel.known.model
-    assert model.setData(model.index(0, 1), "55.5")
-    assert desk.session.project.known_elevations[0].elevation == 55.5
+    assert model.setData(model.index(1, 1), "55.5")
+    known = desk.session.project.known_elevations[0]
+    assert (known.station, known.elevation) == (100.0, 55.5)
     assert not model.setData(model.index(0, 2), "-1")
     desk.session.undo()
-    desk.session.undo()
     assert len(desk.session.project.known_elevations) == 1
+    idle()
+
+
+def test_stations_are_pixels_while_the_scale_is_unknown(desk, panel, idle):
+    scale = derive.calibration(desk.session.project).needed().metres_per_pixel
+    model = panel.known.model
+    assert model.headerData(0, Qt.Orientation.Horizontal) == "Station m"
+    (metres,) = (each.station for each in desk.session.project.known_elevations)
+    desk.session.apply("Scale", edits.find_the_scale)
+    assert model.headerData(0, Qt.Orientation.Horizontal) == "Station px"
+    assert typed_number(model.data(model.index(0, 0))) == pytest.approx(metres / scale, abs=0.006)
+    desk.session.undo()
     idle()
 
 
