@@ -12,7 +12,8 @@ from bobdesk.solve.targets import KnownElevation, Targets
 
 SAME_STATION = 1e-6
 _BEYOND_THE_END = 0.005
-_NEAR_END = 0.01
+# The fitted line is a little longer than the points that somebody counts along.
+_NEAR_END, _NEAR_END_M = 1e-4, 0.01
 Anchors = tuple[KnownElevation, ...]
 
 
@@ -26,7 +27,7 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     targets
         The targets; their known elevations count in the plan's own scale.
     length
-        Plan length, m. A station up to 0.5 % beyond it, or 1 cm before it, counts as the end.
+        Plan length, m. A station up to 0.5 % beyond it, or 0.01 % (at least 1 cm) before it, counts as the end.
     lowest
         Stations to be held at 0 besides.
 
@@ -44,7 +45,7 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     for item in known:
         if item.station <= SAME_STATION:
             _refuse_other(item, start, "the start is at the drop")
-        elif item.station >= length - _NEAR_END:
+        elif item.station >= length - max(_NEAR_END * length, _NEAR_END_M):
             end = replace(item, station=length)
         elif inner and item.station - inner[-1].station <= SAME_STATION:
             _refuse_other(item, inner[-1], "two elevations for one station")

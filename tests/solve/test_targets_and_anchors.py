@@ -80,3 +80,12 @@ def test_a_lowest_point_within_the_line_is_passed_level_if_the_track_may_climb()
     items = tuple(KnownElevation(*item) for item in ((0.0, 9.0), (80.0, 0.0), (100.0, 4.0)))
     assert gradients_through(items, scale=1.0, level_at_lowest=True).tolist() == [0.0]
     assert gradients_through(items, scale=1.0, level_at_lowest=False)[0] != 0.0
+
+
+def test_an_elevation_at_the_end_of_the_points_is_that_of_the_fitted_line():
+    # Points of 1,204 m in all, whose fitted line is 1,204.06 m long.
+    known = (KnownElevation(1050, 0), KnownElevation(1204, 8.34))
+    found = anchors_of(Targets(1210, 102.5, known=known), 1204.06)
+    assert [(anchor.station, anchor.elevation) for anchor in found] == [(0, 102.5), (1050, 0), (1204.06, 8.34)]
+    further = (KnownElevation(1050, 0), KnownElevation(1203, 8.34))
+    assert len(anchors_of(Targets(1210, 102.5, known=further), 1204.06)) == 4

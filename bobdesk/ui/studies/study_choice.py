@@ -102,8 +102,9 @@ def wanted_of(choice: StudyChoice, plans: int) -> Wanted:
 
 
 def _parts(text: str) -> Sequence[str]:
-    """Part numbers at spaces, semicolons and, where that is no sign of decimals, commas."""
-    between = r"[;\s]+" if QLocale().decimalPoint() == "," else r"[,;\s]+"
+    """Part numbers at spaces, semicolons and, where that can be no sign of decimals, commas."""
+    is_decimal = QLocale().decimalPoint() == "," or ";" in text
+    between = r"[;\s]+" if is_decimal else r"[,;\s]+"
     return [part for part in re.split(between, text.strip()) if part]
 
 

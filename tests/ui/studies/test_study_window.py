@@ -4,6 +4,7 @@ import pytest
 from PySide6.QtCore import QLocale, QPoint, QTimer
 
 from bobdesk.cli.main import run as command
+from bobdesk.errors import InputError
 from bobdesk.files.project_file import save_project
 from bobdesk.track.study_pivot import is_failed, value_of
 from bobdesk.ui.studies.study_choice import PlanFile, StudyChoice, from_text, to_text, wanted_of
@@ -221,6 +222,8 @@ def test_numbers_are_read_with_the_signs_of_the_country():
     assert list(wanted.sets) == ["none", "100:5.5"]
     QLocale.setDefault(QLocale(QLocale.Language.English, QLocale.Country.UnitedKingdom))
     assert wanted_of(StudyChoice(methods=("published",), weights="0.5,1,1.5"), 1).weights == (0.5, 1.0, 1.5)
+    with pytest.raises(InputError, match="weights such as"):
+        wanted_of(StudyChoice(methods=("published",), weights="0,5; 1"), 1)
 
 
 def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, held_at):
