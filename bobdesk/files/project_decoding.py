@@ -63,6 +63,12 @@ class _Head(msgspec.Struct):
     version: int
 
 
+# Made once, while nobody else can: two threads that have the same classes looked through for the first time, such as
+# the one that opens a project and the one that looks at recent ones, end the program.
+_HEADS = msgspec.json.Decoder(_Head)
+_DOCUMENTS = msgspec.json.Decoder(schema.Document)
+
+
 def decode_project(document: bytes, blobs: Blobs) -> Project:
     """Return the project of a document; `blobs` returns the bytes of a name, or raises KeyError.
 
@@ -104,7 +110,7 @@ def checked(encoded: Encoded) -> Encoded:
 
 
 def _document(document: bytes) -> schema.Document:
-    head = msgspec.json.decode(document, type=_Head)
+    head = _HEADS.decode(document)
     if head.format != schema.FORMAT:
         raise InputError("this is not a BobDesk project")
     if head.version > schema.VERSION:
@@ -112,7 +118,7 @@ def _document(document: bytes) -> schema.Document:
     if head.version < 1:
         raise InputError(f"there is no version {head.version} of BobDesk projects")
     if head.version == schema.VERSION:
-        return msgspec.json.decode(document, type=schema.Document)
+        return _DOCUMENTS.decode(document)
     plain = msgspec.json.decode(document)
     return msgspec.convert(migrated(plain, to=schema.VERSION), type=schema.Document)
 

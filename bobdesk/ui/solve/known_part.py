@@ -166,7 +166,7 @@ class KnownPart(Part):
         return False
 
     def _on_add(self) -> None:
-        from bobdesk.project import derive
+        from bobdesk.project import derive, edits
 
         project = self.desk.session.project
         line = derive.polyline(project).value
@@ -178,7 +178,11 @@ class KnownPart(Part):
         length = float(arc_lengths(line.vertices)[-1])
         station = self.desk.selection.station
         station = length / 2 if station is None else min(max(station, 0.0), length)
-        self.begin(station)
+        known = KnownElevation(round(station, 2), round(project.targets.drop * (1 - station / length), 2))
+        if self.desk.session.apply(self.tr("Add known elevation"), lambda now: edits.add_known_elevation(now, known)):
+            row = self._known.index(known)
+            self.table.setCurrentIndex(self.model.index(row, 1))
+            self.table.edit(self.model.index(row, 1))
 
     def _on_remove(self) -> None:
         from bobdesk.project import edits

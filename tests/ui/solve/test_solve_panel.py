@@ -151,12 +151,13 @@ def test_start_houses(desk, panel, idle, monkeypatch):
 def test_a_known_elevation_is_added_at_the_cursor_and_changed_in_the_table(desk, panel, idle):
     desk.selection.station = 100.0
     panel.known.add_button.click()
-    assert len(desk.session.project.known_elevations) == 1, "no elevation that nobody has typed"
+    rows = desk.session.project.known_elevations
+    assert rows[0].station == 100.0
     model = panel.known.model
-    assert model.setData(model.index(1, 1), "55.5")
-    known = desk.session.project.known_elevations[0]
-    assert (known.station, known.elevation) == (100.0, 55.5)
+    assert model.setData(model.index(0, 1), "55.5")
+    assert desk.session.project.known_elevations[0].elevation == 55.5
     assert not model.setData(model.index(0, 2), "-1")
+    desk.session.undo()
     desk.session.undo()
     assert len(desk.session.project.known_elevations) == 1
     idle()
