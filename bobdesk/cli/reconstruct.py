@@ -209,7 +209,8 @@ def _title(plan: Path, found: Figures) -> str:
 
 def _notes(possible: Feasibility, method: SolverMethod, targets: Targets, weights: Weights) -> list[str]:
     """Say what a user may think was heeded and was not."""
-    notes = [possible.sentence] if not possible.feasible else [possible.doubt] if possible.doubt else []
+    said = (possible.doubt, possible.open_end) if possible.feasible else (possible.sentence,)
+    notes = [sentence for sentence in said if sentence]
     if not method.holds_known and targets.known:
         notes.append(f"the method {method.key} has no known elevations; they were left out")
     if method.key == "pgd" and weights != Weights():

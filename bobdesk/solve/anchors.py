@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -20,7 +21,8 @@ Anchors = tuple[KnownElevation, ...]
 def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) -> Anchors:
     """Return the held elevations in running order: the drop at the start, the known ones, 0 at the end.
 
-    A known elevation at the end takes the place of 0; then the lowest point must be known too.
+    A known elevation at the end takes the place of 0; then the lowest point must be known too. Where the lowest
+    point is known inside the line and the end is not, the end is free: an anchor with an infinite tolerance.
 
     Parameters
     ----------
@@ -40,7 +42,7 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     for item in known:
         _check(item, length)
     start = KnownElevation(0.0, targets.drop)
-    end = KnownElevation(length, 0.0)
+    end: KnownElevation | None = None
     inner: list[KnownElevation] = []
     for item in known:
         if item.station <= SAME_STATION:
@@ -51,12 +53,22 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
             _refuse_other(item, inner[-1], "two elevations for one station")
         else:
             inner.append(item)
-    if end.elevation > end.tolerance and not any(item.elevation <= item.tolerance for item in inner):
+    if end is None:
+        climbs = any(item.elevation <= 0 for item in targets.known if item in inner)
+        end = KnownElevation(length, 0.0, math.inf if climbs else 0.0)
+    elif end.elevation > end.tolerance and not any(item.elevation <= item.tolerance for item in inner):
         raise TargetError(
             f"the end lies {end.elevation:g} m above the lowest point, so say where the lowest point is:"
             " a known elevation of 0 at its station"
         )
     return (start, *inner, end)
+
+
+def last_before_a_free_end(anchors: Anchors) -> KnownElevation | None:
+    """Return the last anchor at the lowest point if nothing is known of the end; None where the end is held."""
+    if math.isfinite(anchors[-1].tolerance):
+        return None
+    return next(anchor for anchor in reversed(anchors[:-1]) if anchor.elevation <= 0)
 
 
 def stations_of(anchors: Anchors) -> FloatArray:

@@ -116,6 +116,8 @@ def smooth_envelope(
     """
     at = grid_of(anchors, scale=scale, step=step)
     low, high = allowed_elevations(at, anchors, scale=scale)
+    # A free end is bounded by the limits alone.
+    high[-1] = min(high[-1], cone_of(at[-1:], anchors, targets, scale=scale)[1].item())
     cells = np.diff(at)
     most = largest_change * 0.5 * (cells[1:] + cells[:-1])
     total = 2 * len(cells)

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.errors import TargetError
 from bobdesk.progress import finish
 from bobdesk.sentences import as_sentence
+from bobdesk.solve.anchors import anchors_of, last_before_a_free_end
+from bobdesk.solve.envelope import cone_of
 from bobdesk.solve.pgd import find_scale, reach
 from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import Targets
 
 _SAME_FIGURE = 0.02
 _DIGITISING = 1e-3
+_WORTH_SAYING = 0.05
 
 
 @dataclass(frozen=True)
@@ -37,6 +42,8 @@ class Feasibility:
     doubt
         The part of the sentence about a mean gradient that does not follow from the other figures,
         or "".
+    open_end
+        The part of the sentence about an end of which nothing is known, or "".
     """
 
     feasible: bool
@@ -45,6 +52,7 @@ class Feasibility:
     scale: float | None
     plan_length: float
     doubt: str = ""
+    open_end: str = ""
 
 
 def feasibility(
@@ -80,7 +88,9 @@ def feasibility(
     else:
         sentence = _too_long(targets, settings, longest, agreeing)
     doubt = _about_mean_gradient(targets, scale * plan)
-    return Feasibility(feasible, sentence + doubt, (shortest, longest), agreeing, plan, doubt.strip())
+    end = _about_the_end(targets, plan, scale)
+    sentence += doubt + end
+    return Feasibility(feasible, sentence, (shortest, longest), agreeing, plan, doubt.strip(), end.strip())
 
 
 def _scale_that_agrees(
@@ -126,6 +136,22 @@ def _or_scale(scale: float | None) -> str:
     if scale is None:
         return "or the drop"
     return f"or the plan's scale, which a factor of {scale:.4f} would make agree"
+
+
+def _about_the_end(targets: Targets, plan: float, scale: float) -> str:
+    """Say how high the end may lie if the lowest point is known to come before it, and nothing of the end."""
+    anchors = anchors_of(targets, plan)
+    lowest = last_before_a_free_end(anchors)
+    if lowest is None:
+        return ""
+    highest = float(cone_of(np.array([scale * plan]), anchors, targets, scale=scale)[1][0])
+    if highest < _WORTH_SAYING:
+        return ""
+    return (
+        f" Nothing is known of the elevation of the end: behind the lowest point at {lowest.station:g} m the track may"
+        f" climb to {highest:.1f} m there. The result takes the smoothest course; a known elevation at the end would"
+        " tell."
+    )
 
 
 def _about_mean_gradient(targets: Targets, plan: float) -> str:

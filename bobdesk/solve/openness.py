@@ -69,8 +69,10 @@ def openness(anchors: Anchors, *, swing: float, scale: float = 1.0) -> Openness:
     # Of the elevations with the gradients in the cells.
     mixed = np.zeros((len(at), len(cells)))
     mixed[1:] = (means * cells[:, None]).cumsum(axis=0)
-    held = np.searchsorted(at, scale * stations_of(anchors) - 1e-9)[1:]
     tolerances = np.array([anchor.tolerance for anchor in anchors[1:]])
+    is_known = np.isfinite(tolerances)
+    held = np.searchsorted(at, scale * stations_of(anchors) - 1e-9)[1:][is_known]
+    tolerances = tolerances[is_known]
     known = elevations[np.ix_(held, held)] + np.diag(tolerances**2 / 3 + 1e-9)
     inverse = np.linalg.inv(known)
     left = elevations.diagonal() - np.einsum("ij,jk,ik->i", elevations[:, held], inverse, elevations[:, held])

@@ -22,6 +22,7 @@ from bobdesk.solve.problem import Problem, make_problem
 from bobdesk.solve.profile import falls_between
 from bobdesk.solve.settings import SecondOpinionSettings
 from bobdesk.solve.targets import Targets
+from bobdesk.solve.tolerances import settled
 
 SecondOpinion = Literal["lbfgsb", "slsqp", "trustconstr", "de"]
 _SCIPY_NAMES = {"lbfgsb": "L-BFGS-B", "slsqp": "SLSQP"}
@@ -61,7 +62,8 @@ def second_opinion(
     settings = settings or SecondOpinionSettings()
     if targets.unknown_scale:
         raise InputError(f"the method {method} cannot find an unknown scale; pgd and published can")
-    problem = make_problem(centreline, segments, targets, anchors_of(targets, centreline.length))
+    anchors = settled(anchors_of(targets, centreline.length), targets)
+    problem = make_problem(centreline, segments, targets, anchors)
     count = len(problem.piece_lengths)
     start = np.clip(np.full(count, targets.drop / problem.profile.length), targets.min_gradient, targets.max_gradient)
     looks = _Looks(problem, settings, method)

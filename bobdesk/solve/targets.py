@@ -26,7 +26,8 @@ class KnownElevation:
     elevation
         Above the lowest point, m.
     tolerance
-        How far the result may lie from it, m; 0 holds it exactly.
+        How far the result may lie from it, m; 0 holds it exactly. Infinite (as an anchor, never as what a user
+        knows) if nothing is known.
     """
 
     station: float

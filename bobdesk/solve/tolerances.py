@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -13,17 +14,18 @@ from bobdesk.solve.targets import Targets
 
 
 def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchors:
-    """Return the anchors with each elevation moved within its tolerance.
+    """Return the anchors with each elevation moved within its tolerance, none of them free any more.
 
     Least changes of the mean gradient between neighbouring stretches, with the mean gradient of
-    each stretch within the limits. Anchors without a tolerance stay where they are; where nothing
-    within the tolerances suits the limits, all stay, and the sentence about the stretch says so.
+    each stretch within the limits. Anchors without a tolerance stay where they are, and one lies at 0, without
+    which the drop would be too small; where nothing within the tolerances suits the limits, the others
+    stay too, and the sentence about the stretch says so.
     """
-    tolerances = np.array([anchor.tolerance for anchor in anchors])
-    if not tolerances.any():
+    low, high = _rooms(anchors)
+    if not any(anchor.tolerance for anchor in anchors):
         return anchors
     lengths = scale * np.diff(stations_of(anchors))
-    given = elevations_of(anchors)
+    given = np.clip(elevations_of(anchors), low, high)
     # Mean gradients and their changes, as matrices on the elevations.
     means = -np.diff(np.eye(len(anchors)), axis=0) / lengths[:, None]
     changes = np.diff(means, axis=0) / np.sqrt(0.5 * (lengths[1:] + lengths[:-1]))[:, None]
@@ -33,17 +35,29 @@ def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchor
         bends = scaled @ elevations
         return float(bends @ bends), 2 * scaled.T @ bends
 
-    low = np.maximum(given - tolerances, 0.0)
     found = minimize(
         roughness,
         given,
         jac=True,
         method="SLSQP",
-        bounds=list(zip(low.tolist(), (given + tolerances).tolist(), strict=True)),
+        bounds=list(zip(low.tolist(), high.tolist(), strict=True)),
         constraints=[LinearConstraint(means, targets.min_gradient, targets.max_gradient)],
         options={"maxiter": 500, "ftol": 1e-12},
     )
-    if not found.success:
-        return anchors
-    moved = np.clip(found.x, low, given + tolerances)
-    return tuple(replace(anchor, elevation=float(at)) for anchor, at in zip(anchors, moved, strict=True))
+    moved = np.clip(found.x, low, high) if found.success else given
+    return tuple(
+        replace(anchor, elevation=float(at), tolerance=anchor.tolerance if math.isfinite(anchor.tolerance) else 0.0)
+        for anchor, at in zip(anchors, moved, strict=True)
+    )
+
+
+def _rooms(anchors: Anchors) -> tuple[FloatArray, FloatArray]:
+    """Return the lowest and highest elevation that each anchor may be held at, (a,), (a,), m."""
+    tolerances = np.array([anchor.tolerance for anchor in anchors])
+    low = np.maximum(elevations_of(anchors) - tolerances, 0.0)
+    high = elevations_of(anchors) + tolerances
+    reach_down = [index for index in range(len(anchors)) if low[index] == 0]
+    if reach_down:
+        lowest = min(reach_down, key=lambda index: (anchors[index].elevation, anchors[index].tolerance))
+        high[lowest] = 0.0
+    return low, high

@@ -140,3 +140,20 @@ def test_known_elevations_narrow_the_interval():
     half = centreline.length / 2
     assert held[0] == pytest.approx(np.hypot(half, 40) + np.hypot(half, 20), abs=5e-3)
     assert held[0] > free[0]
+
+
+def test_an_end_of_which_nothing_is_known_is_named_with_how_far_it_may_climb():
+    centreline, segments = made(1)
+    length = centreline.length
+
+    def found(*known, **limits):
+        targets = Targets(length * 1.005, 60.0, known=tuple(KnownElevation(*item) for item in known), **limits)
+        return feasibility(centreline, segments, targets)
+
+    free = found((length - 100.0, 0.0), min_gradient=-0.12)
+    assert free.feasible
+    assert "may climb to 12.0 m there" in free.open_end
+    assert free.open_end in free.sentence
+    assert not found((length - 100.0, 0.0), (length, 7.0)).open_end
+    assert not found((length - 100.0, 0.0), min_gradient=0.0).open_end
+    assert not found((length - 100.0, 6.0)).open_end

@@ -19,7 +19,7 @@ def bundle(targets, length, **others):
 
 
 @pytest.mark.parametrize("change", [None, 0.004])
-@pytest.mark.parametrize("known", [(), KNOWN])
+@pytest.mark.parametrize("known", [(), KNOWN, (KnownElevation(1300.0, 0.0),)])
 def test_a_thousand_profiles_never_leave_the_envelope(known, change):
     targets = Targets(1510.0, 120.0, known=known)
     anchors = anchors_of(targets, 1500.0)
@@ -39,7 +39,9 @@ def test_a_thousand_profiles_never_leave_the_envelope(known, change):
         assert (np.abs(np.diff(gradients)) <= change * 0.5 * (cells[1:] + cells[:-1]) + 1e-9).all()
     # They are no copies of each other.
     middle = len(band.stations) // 2
-    assert drawn.elevations[:, middle].std() > 0.01 * (band.highest - band.lowest)[middle]
+    apart = drawn.elevations.std(axis=0)
+    assert apart[middle] > 0.01 * (band.highest - band.lowest)[middle]
+    assert (apart[-1] > 1.0) == (len(known) == 1)
 
 
 def rejected_until(targets, length, cells, change, wanted=4000):

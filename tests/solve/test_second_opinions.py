@@ -79,6 +79,18 @@ def test_drop_and_known_elevations_are_held(method):
     assert line.elevations[-1] == pytest.approx(0, abs=2e-6)
 
 
+@pytest.mark.parametrize("method", ["slsqp", "trustconstr"])
+def test_an_elevation_is_held_within_its_tolerance_where_its_middle_is_out_of_reach(method):
+    centreline, segments, targets = track()
+    steep = 0.25 * 100.0
+    known = (KnownElevation(100.0, targets.drop - steep - 2.0, 3.0),)
+    held = Targets(targets.length + 3.0, targets.drop, known=known)
+    solution = finish(second_opinion(centreline, segments, held, method, SecondOpinionSettings(weights=WEIGHTS)))
+    line = make_centreline3d(centreline, segments, solution)
+    assert abs(height_at(line, 100.0) - known[0].elevation) <= 3.0
+    assert line.elevations[-1] == pytest.approx(0, abs=1e-5)
+
+
 def test_differential_evolution_is_seeded():
     centreline, segments, targets = track()
     settings = SecondOpinionSettings(weights=WEIGHTS, max_iterations=3)

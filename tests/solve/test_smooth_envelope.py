@@ -41,17 +41,25 @@ def program(at, targets, known, change):
 
 @pytest.mark.parametrize(
     "known",
-    [(), (KnownElevation(400.0, 100.0, 1.0), KnownElevation(903.0, 40.0)), (KnownElevation(700.0, 0.0),)],
+    [
+        (),
+        (KnownElevation(400.0, 100.0, 1.0), KnownElevation(903.0, 40.0)),
+        (KnownElevation(700.0, 0.0), KnownElevation(1500.0, 30.0, 2.0)),
+        (KnownElevation(1350.0, 0.0),),
+        (KnownElevation(1303.0, 0.0, 0.5), KnownElevation(1401.0, 4.0, 1.0)),
+    ],
 )
 def test_each_face_is_what_a_linear_program_finds(known):
     targets = Targets(1510.0, 120.0, known=known)
     found = band(targets)
-    ends = [(0.0, 120.0, 120.0), (1500.0, 0.0, 0.0)]
+    # Nothing is known of an end behind a lowest point, unless it is said.
+    end = (1500.0, 0.0, np.inf if any(item.elevation == 0 for item in known) else 0.0)
+    ends = [(0.0, 120.0, 120.0), end]
     held = [
         (item.station, max(0.0, item.elevation - item.tolerance), item.elevation + item.tolerance) for item in known
     ]
     matrix, limits, bounds = program(found.stations, targets, ends + held, CHANGE)
-    for index in range(5, len(found.stations) - 1, 24):
+    for index in [*range(5, len(found.stations) - 1, 24), len(found.stations) - 1]:
         for sign, face in ((1, found.lowest), (-1, found.highest)):
             costs = np.zeros(len(found.stations))
             costs[index] = sign

@@ -89,3 +89,15 @@ def test_an_elevation_at_the_end_of_the_points_is_that_of_the_fitted_line():
     assert [(anchor.station, anchor.elevation) for anchor in found] == [(0, 102.5), (1050, 0), (1204.06, 8.34)]
     further = (KnownElevation(1050, 0), KnownElevation(1203, 8.34))
     assert len(anchors_of(Targets(1210, 102.5, known=further), 1204.06)) == 4
+
+
+def test_an_end_behind_a_known_lowest_point_is_free_unless_it_is_known():
+    def end_of(*known, lowest=()):
+        return anchors_of(Targets(101, 9, known=tuple(KnownElevation(*item) for item in known)), 100.0, lowest)[-1]
+
+    assert end_of((80, 0)) == end_of((80, 0, 0.5)) == end_of((80, -0.2, 0.5)) == KnownElevation(100, 0, np.inf)
+    assert end_of((80, 0), (90, 4)) == KnownElevation(100, 0, np.inf)
+    # What may be 0, or is held at 0 to keep the drop, is not known to be the lowest point.
+    assert end_of((80, 0.3, 0.5)) == end_of((80, 2)) == end_of(lowest=(80,)) == KnownElevation(100, 0)
+    assert end_of((80, 0), (100, 4)) == KnownElevation(100, 4)
+    assert end_of((80, 0), (100, 0)) == KnownElevation(100, 0)

@@ -94,3 +94,37 @@ def test_the_result_lies_within_the_tolerances_and_is_smoother():
     assert np.abs(height_at(tolerant, shares * length) - heights).max() <= 1.0 + 1e-6
     assert np.abs(height_at(tolerant, shares * length) - heights).max() > 0.05
     assert tolerant.elevations[0] == pytest.approx(drop, abs=1e-6)
+
+
+LOWEST_AT, LENGTH = 399.0, 443.445360636652
+
+
+@pytest.mark.parametrize(
+    "known",
+    [
+        ((LENGTH, 1.0, 2.0),),
+        ((LOWEST_AT, 0.0, 0.5), (LENGTH, 8.0)),
+        ((LOWEST_AT, 0.2, 0.5), (LENGTH, 8.0, 1.0)),
+        ((LOWEST_AT, 0.0, 0.5),),
+        ((LOWEST_AT, 0.0), (420.0, 5.0, 2.0)),
+    ],
+)
+def test_the_drop_is_exact_though_the_lowest_point_has_a_tolerance(known):
+    centreline, segments = made(1, curves=5)
+    assert centreline.length == pytest.approx(LENGTH)
+    given = targets_for(centreline, more=1.0006, known=tuple(KnownElevation(*item) for item in known))
+    line = make_centreline3d(centreline, segments, finish(pgd(centreline, segments, given)))
+    assert line.elevations.min() == pytest.approx(0, abs=1e-6)
+    assert line.elevations[0] == pytest.approx(given.drop, abs=1e-6)
+    for item in given.known:
+        assert abs(height_at(line, item.station) - item.elevation) <= item.tolerance + 1e-6
+
+
+def test_a_free_end_goes_on_from_what_is_known_before_it():
+    known = (KnownElevation(800.0, 0.0), KnownElevation(900.0, 5.0))
+    given = Targets(1010.0, 80.0, known=known)
+    after = settled(anchors_of(given, 1000.0), given)
+    assert after[-1] == KnownElevation(1000.0, pytest.approx(10.0, abs=1e-4))
+    # Where nothing but the lowest point is known, level is the smoothest that does not lie below it.
+    level = Targets(1010.0, 80.0, known=known[:1])
+    assert settled(anchors_of(level, 1000.0), level)[-1] == KnownElevation(1000.0, pytest.approx(0.0, abs=1e-9))

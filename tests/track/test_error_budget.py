@@ -84,3 +84,14 @@ def test_known_elevations_close_what_is_open():
     assert tight.elevation.max() < 0.6 * wide.elevation.max()
     assert np.interp(800.0, tight.stations, tight.elevation) == pytest.approx(0.3 / np.sqrt(3), rel=0.1)
     np.testing.assert_allclose(wide.elevation[[0, -1]], 0, atol=1e-3)
+
+
+def test_an_end_of_which_nothing_is_known_is_left_open():
+    lowest = KnownElevation(1300.0, 0.0)
+    free = openness(anchors_of(Targets(1510.0, 120.0, known=(lowest,)), 1500.0), swing=0.03)
+    known = (lowest, KnownElevation(1500.0, 10.0))
+    held = openness(anchors_of(Targets(1510.0, 120.0, known=known), 1500.0), swing=0.03)
+    assert free.elevation[-1] > 3.0
+    assert held.elevation[-1] == pytest.approx(0, abs=1e-3)
+    before = free.stations <= 1300.0
+    np.testing.assert_allclose(free.elevation[before], held.elevation[before], atol=0.2)
