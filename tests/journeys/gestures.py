@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from tests.journeys.real_window import RealWindow
 
+# A cell of a table is being typed into.
+EDITING = "window.focusWidget().parentWidget().objectName() == 'qt_scrollarea_viewport'"
+
 
 def scale_by_two_points(program: RealWindow, points) -> None:
     """Place two control points and type their coordinates; each has px, py, x_m, y_m."""

@@ -7,6 +7,7 @@ import pytest
 
 from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.track.comparison import compare
+from tests.journeys.gestures import EDITING
 from tests.journeys.real_window import ROOT, RealWindow
 
 SAMPLE = ROOT / "resources" / "samples" / "mugello" / "mugello.csv"
@@ -130,9 +131,10 @@ def test_from_coordinates_to_csv_without_a_mouse(opened, tmp_path):
         elevation = float(np.interp(station, truth["s2d_m"], truth["z_m"]) - truth["z_m"].min())
         keyboard.tab_to("Add")
         keyboard.press("space")
-        program.until(f"len(project.known_elevations) == {count}")
+        program.until(EDITING)
         keyboard.type(f"{elevation:.2f}")
         keyboard.press("Return")
+        program.until(f"len(project.known_elevations) == {count}")
         program.until(f"any(abs(one.elevation - {elevation:.2f}) < 1e-9 for one in project.known_elevations)")
         # The station, one cell to the left.
         keyboard.press("Left", "F2", "ctrl+a")

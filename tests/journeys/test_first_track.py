@@ -7,6 +7,7 @@ import pytest
 
 from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.track.comparison import compare
+from tests.journeys.gestures import EDITING
 from tests.journeys.real_window import ROOT
 
 PAGE = (ROOT / "resources" / "guide" / "first-track.md").read_text("utf-8")
@@ -112,9 +113,10 @@ def test_the_first_track_comes_out_as_the_page_says(opened, tmp_path):
     for count, (station, elevation) in enumerate(known_elevations(), 1):
         program.click(*place_on_elevation_strip(program, station))
         program.click_on("Add")
-        program.until(f"len(project.known_elevations) == {count}")
+        program.until(EDITING)
         program.type(str(elevation))
         program.key("Return")
+        program.until(f"len(project.known_elevations) == {count}")
         program.until(f"any(one.elevation == {elevation} for one in project.known_elevations)")
     assert program.ask("[round(one.station, -1) for one in project.known_elevations]") == [200, 400, 600]
     program.key("F5")

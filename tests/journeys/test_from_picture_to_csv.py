@@ -9,7 +9,7 @@ import pytest
 
 from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.track.comparison import compare
-from tests.journeys.gestures import scale_by_two_points, trace_by_two_clicks
+from tests.journeys.gestures import EDITING, scale_by_two_points, trace_by_two_clicks
 
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_thin"
 _STRIP = "window.layout_of_window.strips_dock.widget().curvature"
@@ -71,16 +71,15 @@ def test_the_mission(opened, tmp_path):
     program.until("project.targets.drop is not None and project.targets.length is not None")
     program.until("any(text.startswith('✓ These figures can all be met') for text in texts())")
     # Two elevations that are known, at the thirds.
-    for share in (1 / 3, 2 / 3):
+    for count, share in enumerate((1 / 3, 2 / 3), 1):
         station = share * about["plan_length_m"]
         row = round(station)
         program.ask(f"setattr(desk.selection, 'station', {station})")
         program.click_on("Add")
-        program.until("len(project.known_elevations) > 0")
-        program.key("ctrl+a")
+        program.until(EDITING)
         program.type(f"{truth['z_m'][row] - truth['z_m'].min():.2f}")
         program.key("Return")
-    program.until("len(project.known_elevations) == 2")
+        program.until(f"len(project.known_elevations) == {count}")
     program.key("F5")
     program.until("project.run is not None and not desk.session.is_saved")
     program.until("widget('convergence_plot').data is not None and widget('convergence_plot').data.count > 10")

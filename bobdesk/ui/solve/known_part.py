@@ -44,7 +44,12 @@ class KnownPart(Part):
         )
         flow = panel.add_buttons(self.column)
         self.add_button = panel.button(
-            flow, self.tr("Add"), self.tr("Add a known elevation at the cursor along the line"), "plus"
+            flow,
+            self.tr("Add"),
+            self.tr(
+                "Add a row for a known elevation at the cursor along the line; it counts once its elevation is typed"
+            ),
+            "plus",
         )
         self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected elevation away"), "minus")
         self.load_button = panel.button(
@@ -166,23 +171,17 @@ class KnownPart(Part):
         return False
 
     def _on_add(self) -> None:
-        from bobdesk.project import derive, edits
+        from bobdesk.project import derive
 
-        project = self.desk.session.project
-        line = derive.polyline(project).value
-        if line is None or project.targets.drop is None:
-            self.panel.refuse(self.tr("A line and the height difference come first."))
+        line = derive.polyline(self.desk.session.project).value
+        if line is None:
+            self.panel.refuse(self.tr("A line comes first."))
             return
         from bobdesk.plan.polyline_geometry import arc_lengths
 
         length = float(arc_lengths(line.vertices)[-1])
         station = self.desk.selection.station
-        station = length / 2 if station is None else min(max(station, 0.0), length)
-        known = KnownElevation(round(station, 2), round(project.targets.drop * (1 - station / length), 2))
-        if self.desk.session.apply(self.tr("Add known elevation"), lambda now: edits.add_known_elevation(now, known)):
-            row = self._known.index(known)
-            self.table.setCurrentIndex(self.model.index(row, 1))
-            self.table.edit(self.model.index(row, 1))
+        self.begin(length / 2 if station is None else min(max(station, 0.0), length))
 
     def _on_remove(self) -> None:
         from bobdesk.project import edits

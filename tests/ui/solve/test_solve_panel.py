@@ -150,16 +150,18 @@ def test_start_houses(desk, panel, idle, monkeypatch):
 
 def test_a_known_elevation_is_added_at_the_cursor_and_changed_in_the_table(desk, panel, idle):
     desk.selection.station = 100.0
+    before = desk.session.project
     panel.known.add_button.click()
-    rows = desk.session.project.known_elevations
-    assert rows[0].station == 100.0
+    # Nothing is known until it is typed.
+    assert desk.session.project is before
     model = panel.known.model
-    assert model.setData(model.index(0, 1), "55.5")
-    assert desk.session.project.known_elevations[0].elevation == 55.5
-    assert not model.setData(model.index(0, 2), "-1")
+    row = model.rowCount() - 1
+    assert model.setData(model.index(row, 1), "55.5")
+    (added,) = set(desk.session.project.known_elevations) - set(before.known_elevations)
+    assert (added.station, added.elevation) == (100.0, 55.5)
+    assert not model.setData(model.index(desk.session.project.known_elevations.index(added), 2), "-1")
     desk.session.undo()
-    desk.session.undo()
-    assert len(desk.session.project.known_elevations) == 1
+    assert desk.session.project.known_elevations == before.known_elevations
     idle()
 
 
