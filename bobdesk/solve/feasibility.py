@@ -149,8 +149,8 @@ def _about_the_end(targets: Targets, plan: float, scale: float) -> str:
         return ""
     return (
         f" Nothing is known of the elevation of the end: behind the lowest point at {lowest.station:g} m the track may"
-        f" climb to {highest:.1f} m there. The result takes the smoothest course; a known elevation at the end would"
-        " tell."
+        f" climb to {highest:.1f} m there. The result takes the smoothest course that meets the length; a known"
+        " elevation at the end would tell."
     )
 
 

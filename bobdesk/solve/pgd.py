@@ -12,9 +12,9 @@ from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
 from bobdesk.errors import TargetError
-from bobdesk.solve.anchors import anchors_of
+from bobdesk.solve.guard import Guard, laid_out, stronger_guard
 from bobdesk.solve.iterates import Iterate, Run, Solution
-from bobdesk.solve.problem import Problem, make_problem
+from bobdesk.solve.problem import Problem
 from bobdesk.solve.projection import Projection
 from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.stages import (
@@ -27,29 +27,12 @@ from bobdesk.solve.stages import (
     solve_stages,
 )
 from bobdesk.solve.targets import Targets
-from bobdesk.solve.tolerances import settled
+from bobdesk.solve.tolerances import room_of_free_end
 
-_ROUNDS_OF_LOWEST = 12
 _ROUNDS_OF_SCALE = 20
-_BELOW = 1e-9
 _PASSES = 3
 _SPIKE = 0.002
-
-
-@dataclass(frozen=True)
-class Guard:
-    """What keeps a profile from dipping below the lowest point, which would make the drop too large.
-
-    Attributes
-    ----------
-    downhill
-        Ranges of stations before a lowest point, in which the track may not climb.
-    held
-        Stations held level at 0, where it must climb afterwards.
-    """
-
-    downhill: tuple[tuple[float, float], ...] = ()
-    held: tuple[float, ...] = ()
+_CLOSE_ENDS = 0.05
 
 
 def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings | None = None) -> Run:
@@ -67,12 +50,36 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
     """
     settings = settings or PgdSettings()
     tally = Tally()
+    solved = yield from _solved(centreline, segments, targets, settings, tally, None)
+    if not solved.result.met and settings.meet_length and not targets.unknown_scale:
+        solved = yield from _with_another_end(centreline, segments, targets, settings, tally, solved)
+    problem, result, settings = solved.problem, solved.result, solved.settings
+    yield _last(problem, result, tally)
+    return _solution(problem, result, settings, tally)
+
+
+@dataclass(frozen=True, eq=False)
+class _Solved:
+    problem: Problem
+    result: Result
+    settings: PgdSettings
+
+
+def _solved(
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: PgdSettings,
+    tally: Tally,
+    end: float | None,
+) -> Generator[Iterate, None, _Solved]:
+    """Solve until no profile dips, the transitions at known elevations are smooth, and the scale is found."""
     guard = Guard()
     scale = 1.0
     through: FloatArray | None = None
     passes = 0
     while True:
-        problem = _laid_out(centreline, segments, targets, settings, scale, guard, through)
+        problem = laid_out(centreline, segments, targets, settings, scale, guard, through=through, end=end)
         if targets.unknown_scale:
             problem = yield from _with_scale(problem, settings, tally)
             scale = problem.scale
@@ -81,16 +88,46 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
             # The limits leave no room for the swing that tracks have: the smoothest profile it is.
             settings = replace(settings, typical_swing=0.0)
             continue
-        stronger = _guarded(problem, result.v, guard)
+        stronger = stronger_guard(problem, result.v, guard)
         if stronger != guard:
             guard, through = stronger, None
             continue
         smoother = _through_anchors(problem, problem.gradients(result.v))
         passes += 1
         if passes > _PASSES or np.abs(smoother - problem.edge_gradients[: len(smoother)]).max(initial=0.0) < _SPIKE:
-            yield _last(problem, result, tally)
-            return _solution(problem, result, settings, tally)
+            return _Solved(problem, result, settings)
         through = smoother[problem.profile.held]
+
+
+def _with_another_end(
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: PgdSettings,
+    tally: Tally,
+    smoothest: _Solved,
+) -> Generator[Iterate, None, _Solved]:
+    """Move a free end away from its smoothest course by as little as the length asks for, if that meets it."""
+    near = smoothest.problem.anchors[-1].elevation
+    length = smoothest.problem.length_of(smoothest.problem.gradients(smoothest.result.v))[0]
+    room = room_of_free_end(targets, centreline.length)
+    if room is None:
+        return smoothest
+    far = room[1] if length < targets.length else room[0]
+    found = smoothest
+    while abs(far - near) > _CLOSE_ENDS:
+        end = far if found is smoothest else 0.5 * (near + far)
+        try:
+            tried = yield from _solved(centreline, segments, targets, settings, tally, end)
+        except TargetError:
+            tried = smoothest
+        if tried.result.met:
+            found, far = tried, end
+        elif found is smoothest:
+            break
+        else:
+            near = end
+    return found
 
 
 def _through_anchors(problem: Problem, gradients: FloatArray) -> FloatArray:
@@ -113,18 +150,38 @@ def reach(
 ) -> Generator[Iterate, None, tuple[float, float]]:
     """Find the shortest and the longest plausible length that keep drop, limits and elevations, m.
 
+    A free end may lie anywhere for that.
+
     Raises
     ------
     TargetError
         If no profile keeps those.
     """
+    low, high = yield from _reach(centreline, segments, targets, settings, scale, None)
+    for end in room_of_free_end(targets, centreline.length, scale=scale) or ():
+        try:
+            others = yield from _reach(centreline, segments, targets, settings, scale, end)
+        except TargetError:
+            continue
+        low, high = min(low, others[0]), max(high, others[1])
+    return low, high
+
+
+def _reach(
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: PgdSettings,
+    scale: float,
+    end: float | None,
+) -> Generator[Iterate, None, tuple[float, float]]:
     guard = Guard()
     low: float | None = None
     while True:
-        problem = _laid_out(centreline, segments, targets, settings, scale, guard)
+        problem = laid_out(centreline, segments, targets, settings, scale, guard, end=end)
         found: Reach = yield from reachable_lengths(problem, settings)
         low = found.low if low is None else low
-        stronger = _guarded(problem, found.longest, guard)
+        stronger = stronger_guard(problem, found.longest, guard)
         if stronger == guard:
             return low, max(found.high, low)
         guard = stronger
@@ -141,44 +198,9 @@ def find_scale(
         If no profile keeps drop, limits and known elevations.
     """
     start = max(targets.length - targets.drop, 0.1 * targets.length) / centreline.length
-    problem = _laid_out(centreline, segments, targets, settings, start, Guard())
+    problem = laid_out(centreline, segments, targets, settings, start, Guard())
     found = yield from _with_scale(problem, settings, Tally())
     return found.scale
-
-
-def _laid_out(
-    centreline: Centreline,
-    segments: Segments,
-    targets: Targets,
-    settings: PgdSettings,
-    scale: float,
-    guard: Guard,
-    through: FloatArray | None = None,
-) -> Problem:
-    return make_problem(
-        centreline,
-        segments,
-        targets,
-        settled(anchors_of(targets, centreline.length, guard.held), targets, scale=scale),
-        transition=settings.transition,
-        longest_piece=settings.longest_piece,
-        scale=scale,
-        downhill=guard.downhill,
-        through=through,
-        level_out=settings.level_out,
-    )
-
-
-def _guarded(problem: Problem, v: FloatArray, guard: Guard) -> Guard:
-    """Return a guard against the deepest dip of a profile below the lowest point, or the same one."""
-    dip = _deepest_dip(problem, problem.gradients(v))
-    rounds = len(guard.held) + len(guard.downhill)
-    if dip is None or rounds >= _ROUNDS_OF_LOWEST:
-        return guard
-    following = next(anchor for anchor in problem.anchors if anchor.station > dip)
-    if following.elevation == 0 and not any(start <= dip < end for start, end in guard.downhill):
-        return replace(guard, downhill=(*guard.downhill, (dip, following.station)))
-    return replace(guard, held=(*guard.held, dip))
 
 
 def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Generator[Iterate, None, Problem]:
@@ -199,21 +221,6 @@ def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Genera
             raise TargetError("no scale of this plan meets length and drop")
         problem = replace(problem, scale=scale)
     return problem
-
-
-def _deepest_dip(problem: Problem, gradients: FloatArray) -> float | None:
-    """Return the break nearest to where the profile lies deepest below the lowest point, or None."""
-    if problem.targets.min_gradient >= 0:
-        return None
-    falls = problem.scale * problem.profile.falls(gradients, problem.edge_gradients)
-    elevations = problem.targets.drop - np.concatenate([[0.0], np.cumsum(falls)])
-    row = int(elevations.argmin())
-    if elevations[row] >= -max(_BELOW, 1e-12 * problem.targets.drop):
-        return None
-    inner = problem.profile.edges[1:-1]
-    if len(inner) == 0:
-        return None
-    return float(inner[np.abs(inner - problem.profile.stations[row]).argmin()])
 
 
 def _last(problem: Problem, result: Result, tally: Tally) -> Iterate:

@@ -1,4 +1,4 @@
-"""Where, within their tolerances, the known elevations are held: where the profile is smoothest."""
+"""Where, within their tolerances, the known elevations are held: where the profile is smoothest; and a free end."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from scipy.optimize import LinearConstraint, minimize
 
 from bobdesk.arrays import FloatArray
-from bobdesk.solve.anchors import Anchors, elevations_of, stations_of
+from bobdesk.solve.anchors import Anchors, anchors_of, elevations_of, last_before_a_free_end, stations_of
 from bobdesk.solve.targets import Targets
 
 
@@ -49,6 +49,24 @@ def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchor
         replace(anchor, elevation=float(at), tolerance=anchor.tolerance if math.isfinite(anchor.tolerance) else 0.0)
         for anchor, at in zip(anchors, moved, strict=True)
     )
+
+
+def room_of_free_end(targets: Targets, length: float, *, scale: float = 1.0) -> tuple[float, float] | None:
+    """Return where a free end lies with the shortest and with the steepest climb to it, m; None if the end is held.
+
+    Parameters
+    ----------
+    length
+        Plan length, m, in the plan's own scale.
+    """
+    free = anchors_of(targets, length)
+    if last_before_a_free_end(free) is None:
+        return None
+    before, end = settled(free, targets, scale=scale)[-2:]
+    rest = scale * (end.station - before.station)
+    lowest = max(before.elevation - targets.max_gradient * rest, 0.0)
+    highest = max(before.elevation - targets.min_gradient * rest, lowest)
+    return min(max(before.elevation, lowest), highest), highest
 
 
 def _rooms(anchors: Anchors) -> tuple[FloatArray, FloatArray]:
