@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from bobdesk.ui.dialogs.guide_in_dialog import offer_guide
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import GradientUnit, LengthUnit, Settings, Theme
 
@@ -100,6 +101,7 @@ class PreferencesDialog(QDialog):
             | QDialogButtonBox.StandardButton.Cancel
             | QDialogButtonBox.StandardButton.RestoreDefaults
         )
+        offer_guide(self, self._buttons)
         self._lay_out()
         self._connect()
 

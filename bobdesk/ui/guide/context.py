@@ -17,6 +17,9 @@ PAGE_OF_STEP: dict[StepName, str] = {
 # By the name of the widget's class: what is imported only when it is shown need not be imported here.
 PAGE_OF_PART: dict[str, str] = {
     "StartPage": "index.md",
+    "ImportDialog": "plan.md#from-coordinates",
+    "PreferencesDialog": "questions.md#can-i-change-keys-units-colours",
+    "PresetDialog": "solve.md#what-is-known-of-the-track",
     "ControlPointsPart": "scale.md#control-points",
     "DistancesPart": "scale.md#known-distances",
     "ScaleFitPart": "scale.md#how-good-is-the-scale",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
+from bobdesk.ui.dialogs.guide_in_dialog import offer_guide
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.solve.presets import presets
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
@@ -57,6 +58,7 @@ class PresetDialog(QDialog):
         column.addWidget(self._buttons)
         self._buttons.accepted.connect(self._on_accepted)
         self._buttons.rejected.connect(self.reject)
+        offer_guide(self, self._buttons)
         self.confirmed.toggled.connect(self._refresh)
         self.table.selectionModel().selectionChanged.connect(self._refresh)
         self.finished.connect(self.deleteLater)

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
 from bobdesk.sentences import ended
 from bobdesk.ui.banner import Banner
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.dialogs.guide_in_dialog import offer_guide
 from bobdesk.ui.dialogs.import_coordinates.line_view import LineView
 from bobdesk.ui.dialogs.import_coordinates.table_choices import TableChoices
 from bobdesk.ui.newest import Newest
@@ -160,6 +161,7 @@ class ImportDialog(QDialog):
         self.buttons.addButton(self.import_button, QDialogButtonBox.ButtonRole.AcceptRole)
         self.buttons.accepted.connect(self.accept)
         self.buttons.rejected.connect(self.reject)
+        offer_guide(self, self.buttons)
 
     def _lay_out(self) -> None:
         left = QVBoxLayout()
