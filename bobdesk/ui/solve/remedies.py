@@ -44,6 +44,30 @@ class Remedies(QObject):
             return []
         return self._third(project, plan_length, only_missing=True)
 
+    def contradiction(self, project: Project) -> list[Offer]:
+        """Return what helps against figures of which no track can have all: a drop of more than the length."""
+        from bobdesk.project import edits
+
+        chosen = project.targets
+        length, drop = chosen.length, chosen.drop
+        if length is None or drop is None:
+            return []
+        mean = chosen.mean_gradient if chosen.mean_gradient_is == "drop-per-length" else None
+        if drop < length:
+            return self._third(project, None) if mean is not None and mean <= 0 else []
+        unit = self._desk.quantities
+        # They may stand in each other's fields.
+        text = self.tr("Swap them: length {length}, height difference {drop}").format(
+            length=unit.length(drop, 2), drop=unit.length(length, 2)
+        )
+        swapped = self._offer(
+            text,
+            self.tr("Swap length and height difference"),
+            lambda now: edits.set_drop(edits.set_length(now, drop), length),
+        )
+        others = self._third(project, None) if mean is not None and mean < 1 else []
+        return ([swapped] if drop > length else []) + others
+
     def _lengths(self, project: Project, found: Feasibility) -> list[Offer]:
         from bobdesk.project import edits
 
@@ -72,7 +96,7 @@ class Remedies(QObject):
         by_plan = chosen.mean_gradient_is == "drop-per-plan"
         base = plan_length if by_plan else chosen.length
         offers: list[Offer] = []
-        if chosen.drop is not None and base and not only_missing:
+        if chosen.drop is not None and base and chosen.drop < base and not only_missing:
             mean = round(chosen.drop / base, 6)
             offers.append(
                 self._offer(
@@ -81,7 +105,8 @@ class Remedies(QObject):
                     lambda now: edits.set_mean_gradient(now, mean, chosen.mean_gradient_is),
                 )
             )
-        mean_given = chosen.mean_gradient
+        # No length or drop follows from a mean gradient that no track can have.
+        mean_given = None if chosen.mean_gradient is None else max(chosen.mean_gradient, 0.0)
         if mean_given and base and (not only_missing or chosen.drop is None):
             drop = round(mean_given * base, 3)
             offers.append(
