@@ -252,9 +252,9 @@ def test_overlay_baseline_and_copy(desk, panel, solving, idle):
     panel.runs.copy()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 5
-    assert lines[0].split("\t")[:3] == ["Run", "Length m", "Drop m"]
+    assert lines[0].split("\t")[:3] == ["Run", "Length m, difference to Run 1", "Drop m, difference to Run 1"]
     assert len({line.count("\t") for line in lines}) == 1
-    assert "60.00" in lines[4]
+    assert lines[4].split("\t")[2] == f"{60 - desk.session.project.runs[0].figures.drop:+.2f}"
     idle()
 
 
