@@ -119,7 +119,7 @@ def test_length_and_drop_in_each_others_fields_are_swapped_with_one_click(desk, 
     assert box.sentence.startswith("! The drop must be more than 0 m and less than the length, not ")
     assert box.sentence.endswith(" m.")
     (swap,) = offers(panel)
-    assert swap.startswith("Swap them: length ")
+    assert swap == "Swap length and height difference"
     qtbot.mouseClick(offers(panel)[swap], Qt.MouseButton.LeftButton)
     assert (desk.session.project.targets.length, desk.session.project.targets.drop) == (length, drop)
     idle()
@@ -134,11 +134,15 @@ def test_a_drop_of_more_than_the_length_is_derived_from_the_mean_gradient(desk, 
     desk.session.apply("Mean", lambda now: edits.set_mean_gradient(now, 0.08))
     desk.session.apply("Drop", lambda now: edits.set_drop(now, 2 * length))
     idle()
-    assert [text.partition(" ")[0] for text in offers(panel)] == ["Swap", "Keep", "Keep"]
-    keep = next(text for text in offers(panel) if text.startswith("Keep the others, height difference"))
+    (keep,) = offers(panel)
+    assert keep.startswith("Keep the others, height difference"), "no length is offered that the plan cannot have"
     qtbot.mouseClick(offers(panel)[keep], Qt.MouseButton.LeftButton)
     assert desk.session.project.targets.drop == pytest.approx(0.08 * length, abs=1e-3)
+    desk.session.apply("Scale", edits.find_the_scale)
+    desk.session.apply("Drop", lambda now: edits.set_drop(now, 2 * length))
     idle()
+    assert [text.partition(" ")[0] for text in offers(panel)] == ["Swap", "Keep", "Keep"], "any length, without a scale"
+    assert panel.widget().minimumSizeHint().width() <= 430
 
 
 def test_what_is_missing_is_said_in_a_whole_sentence(desk, panel, idle):
