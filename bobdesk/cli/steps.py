@@ -129,7 +129,7 @@ def _bar(step: object, doing: str, count: int) -> str:
         filled = round(_BAR * step.fraction)
         return f"{step.doing} [{'#' * filled}{'.' * (_BAR - filled)}] {100 * step.fraction:3.0f} %"
     objective = getattr(step, "objective", float("nan"))
-    return f"{doing}: iteration {count:,}, objective {objective:.3g}"
+    return f"{doing}: iteration {getattr(step, 'number', count):,}, objective {objective:.3g}"
 
 
 def to_json(report: dict[str, Any]) -> bytes:

@@ -12,6 +12,7 @@ from bobdesk.alignment.design import MOST_CURVES, DesignCurve, DesignList
 from bobdesk.alignment.fit_settings import FitSettings
 from bobdesk.alignment.segmentation_settings import SegmentationSettings
 from bobdesk.alignment.segments import Segment, Segments, check_segments
+from bobdesk.arrays import FloatArray
 from bobdesk.errors import InputError
 from bobdesk.files import project_schema as schema
 from bobdesk.files.migrations import migrated
@@ -251,11 +252,17 @@ def _run(found: schema.RunEntry, tables: _Tables) -> Run:
         layout=layout,
         gradients=np.array(found.gradients),
         edge_gradients=np.array(found.edge_gradients),
+        nit=_iterations(found.nit, history),
         figures=_built(Figures, found.figures),
         stages=tuple(found.stages),
         history=history,
         iterates=None if found.iterates is None else _iterates(found.iterates, len(segments), tables.blobs),
     )
+
+
+def _iterations(nit: int, history: FloatArray) -> int:
+    """Return the number of the last iterate: older files counted the one where a run begins as an iteration too."""
+    return min(nit, int(history[-1, 0])) if len(history) and np.isfinite(history[-1, 0]) else nit
 
 
 def _layout(found: schema.LayoutEntry, edge_gradients: list[float], segments: int) -> Layout:

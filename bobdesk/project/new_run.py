@@ -13,6 +13,7 @@ from bobdesk.project.digest import inputs_digest
 from bobdesk.project.project import Project
 from bobdesk.project.record import IterateRecord
 from bobdesk.project.runs import Run, RunInputs, finished_run
+from bobdesk.sentences import counted
 from bobdesk.solve.called_back import StoppedWithinError
 from bobdesk.solve.run import METHODS, SolverMethod, solve
 
@@ -129,10 +130,10 @@ def _ended_early(inputs: RunInputs, record: IterateRecord, why: str) -> Solution
     best = record.best
     if best is None:
         raise InputError(f"{why[0].lower()}{why[1:]} before its first iterate")
-    count = f"{record.count:,} iteration" + ("s" if record.count > 1 else "")
-    at_best = solution_at(inputs, best, status=_STOPPED, message=f"{why} after {count}; the best so far is kept.")
-    # The best may lie behind the last: all that were made count.
-    return replace(at_best, nit=record.count)
+    # The best may lie behind the last: all that were made count, and the iterate where it began is number 0.
+    made = record.count - 1
+    why = f"{why} after {counted(made, 'iteration')}; the best so far is kept."
+    return replace(solution_at(inputs, best, status=_STOPPED, message=why), nit=made)
 
 
 def solution_at(inputs: RunInputs, iterate: Iterate, *, status: int = _STOPPED, message: str = "") -> Solution:

@@ -9,7 +9,7 @@ from dataclasses import asdict, replace
 from bobdesk.errors import InputError
 from bobdesk.project.project import Project, TargetSet
 from bobdesk.solve.settings import SolverSettings
-from bobdesk.solve.targets import STEEPEST_GRADIENT, KnownElevation, MeanGradientDefinition
+from bobdesk.solve.targets import STEEPEST_GRADIENT, KnownElevation, MeanGradientDefinition, check_mean_gradient
 
 STEEPEST_CHANGE, LARGEST_PLAN_ERROR = 1.0, 0.5
 
@@ -28,7 +28,7 @@ def set_mean_gradient(
     project: Project, mean: float | None, mean_is: MeanGradientDefinition = "drop-per-length"
 ) -> Project:
     """Give the mean gradient, downhill positive, and what it is a mean of; None says that it is not known."""
-    value = None if mean is None else _gradient(mean, "the mean gradient")
+    value = None if mean is None else _mean_gradient(mean, mean_is)
     return _with_targets(project, replace(project.targets, mean_gradient=value, mean_gradient_is=mean_is))
 
 
@@ -38,7 +38,7 @@ def add_target_set(project: Project, targets: TargetSet) -> Project:
     _positive(targets.length, "the length")
     _positive(targets.drop, "the drop")
     if targets.mean_gradient is not None:
-        _gradient(targets.mean_gradient, "the mean gradient")
+        _mean_gradient(targets.mean_gradient, targets.mean_gradient_is)
     return replace(project, target_sets=(*project.target_sets, targets), chosen_targets=len(project.target_sets))
 
 
@@ -163,6 +163,12 @@ def _positive(value: float | None, what: str) -> float | None:
     if not (math.isfinite(value) and 0 < value <= 1e6):
         raise InputError(f"{what} must be more than 0 m and at most 1,000 km, not {value:g} m")
     return float(value)
+
+
+def _mean_gradient(mean: float, mean_is: MeanGradientDefinition) -> float:
+    value = _gradient(mean, "the mean gradient")
+    check_mean_gradient(value, mean_is)
+    return value
 
 
 def _gradient(value: float, what: str) -> float:

@@ -19,7 +19,7 @@ class Iterate:
     Attributes
     ----------
     number
-        Counts from 0, without a gap.
+        Counts from 0, where the run begins, without a gap.
     stage
         What is being minimised, for a person.
     gradients : (p,)
@@ -75,7 +75,7 @@ class Solution:
     message
         Why it ended, one sentence.
     nit, nfev, njev
-        Iterations; evaluations of the objective; of its derivative.
+        Iterations, which is the number of the last iterate; evaluations of the objective; of its derivative.
     objective, optimality
         At the end.
     """

@@ -226,9 +226,9 @@ def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Genera
 def _last(problem: Problem, result: Result, tally: Tally) -> Iterate:
     """Return the result as an iterate: of several ways the best was chosen, which need not be the last one tried."""
     gradients = problem.gradients(result.v)
-    tally.nit += 1
+    tally.iterates += 1
     return Iterate(
-        number=tally.nit - 1,
+        number=tally.iterates - 1,
         stage="result",
         gradients=gradients,
         objective=result.objective,
@@ -266,7 +266,7 @@ def _solution(problem: Problem, result: Result, settings: PgdSettings, tally: Ta
         start_elevation=problem.targets.drop,
         status=status,
         message=message,
-        nit=tally.nit,
+        nit=tally.iterates - 1,
         nfev=tally.nfev,
         njev=tally.nfev,
         objective=result.objective,

@@ -32,7 +32,7 @@ _MET = 1e-6
 class Tally:
     """Counts that run through all stages."""
 
-    nit: int = 0
+    iterates: int = 0
     nfev: int = 0
 
 
@@ -248,7 +248,7 @@ def report(
             return last
         gradients = gradients_of(at.v)
         yield Iterate(
-            number=tally.nit,
+            number=tally.iterates,
             stage=stage,
             gradients=gradients,
             objective=at.objective,
@@ -260,4 +260,4 @@ def report(
             profile=problem.profile,
             edge_gradients=problem.edge_gradients,
         )
-        tally.nit += 1
+        tally.iterates += 1

@@ -95,14 +95,31 @@ def check_targets(targets: Targets) -> Targets:
         raise InputError(
             f"the smallest gradient, {targets.min_gradient:g}, must be less than the largest, {targets.max_gradient:g}"
         )
-    if targets.mean_gradient is not None and not abs(targets.mean_gradient) <= STEEPEST_GRADIENT:
-        raise InputError(f"the mean gradient must lie between -2 and 2, not {targets.mean_gradient:g}")
+    if targets.mean_gradient is not None:
+        if not abs(targets.mean_gradient) <= STEEPEST_GRADIENT:
+            raise InputError(f"the mean gradient must lie between -2 and 2, not {targets.mean_gradient:g}")
+        check_mean_gradient(targets.mean_gradient, targets.mean_gradient_is)
     for known in targets.known:
         if not (math.isfinite(known.station) and math.isfinite(known.elevation)):
             raise InputError("a known elevation must be two finite numbers, STATION:ELEVATION")
         if not (math.isfinite(known.tolerance) and known.tolerance >= 0):
             raise InputError(f"the tolerance of the elevation at {known.station:g} m must be 0 or more")
     return targets
+
+
+def check_mean_gradient(mean: float, mean_is: MeanGradientDefinition) -> None:
+    """Refuse a mean gradient that no track can have which goes down from its start.
+
+    The mean of the segments' gradients may be 0 or less: short steep climbs count as much in it as long descents.
+
+    Raises
+    ------
+    InputError
+        If it is the drop divided by a length, and not more than 0.
+    """
+    if mean_is != "segments" and not mean > 0:
+        by = "length" if mean_is == "drop-per-length" else "length in plan"
+        raise InputError(f"the mean gradient is the drop divided by the {by}, so it must be more than 0")
 
 
 def in_scale(targets: Targets, factor: float) -> Targets:

@@ -82,7 +82,7 @@ def compare_methods(
         yield progress
         started = clock()
         run = solve(centreline, segments, targets, replace(settings, method=method.key), methods=tuple(methods))
-        iterations = 0
+        iterates = 0
         try:
             while True:
                 # A method that runs off to infinity says so in its row, not on the terminal.
@@ -90,13 +90,13 @@ def compare_methods(
                     iterate = next(run)
                 if seen is not None:
                     seen(iterate)
-                iterations += 1
-                if iterations % _ITERATES_A_REPORT == 0:
+                iterates += 1
+                if iterates % _ITERATES_A_REPORT == 0:
                     yield progress
         except StopIteration as end:
             rows.append(_row(method, end.value, centreline, segments, targets, settings.weights, clock() - started))
         except (InputError, TargetError) as error:
-            rows.append(_failed(method, iterations, 0, clock() - started, str(error)))
+            rows.append(_failed(method, max(iterates - 1, 0), 0, clock() - started, str(error)))
     return tuple(rows)
 
 

@@ -208,7 +208,7 @@ class MainWindow(QMainWindow):
         session.changed.connect(self._on_changed)
         session.document_changed.connect(self._on_document)
         session.state_changed.connect(self._on_state)
-        session.refused.connect(self.desk.notices.error)
+        session.refused.connect(lambda sentence: self.desk.notices.refuse(sentence, weight="error"))
         self.steps_bar.chosen.connect(self.go_to)
         # The guide's key acts in the other windows, too.
         self.beside.made.connect(lambda made: made.addAction(self.actions_by_name["guide"]))

@@ -25,17 +25,25 @@ class Remedy:
 
 @dataclass(frozen=True)
 class Notice:
-    """One sentence; a note goes away by itself unless it stays, the others stay until they are closed."""
+    """One sentence; a note goes away by itself unless it stays, the others stay until they are closed.
+
+    A refusal is about what the user has just tried to do, and nothing was changed.
+    """
 
     sentence: str
     weight: Weight
     remedies: tuple[Remedy, ...] = ()
     stays: bool = False
+    is_refusal: bool = False
 
     @property
-    def kind(self) -> tuple[Weight, str]:
-        """Equal for notices that say the same of other numbers or other typed text: the newest of them is enough."""
-        return self.weight, _NUMBERS_AND_QUOTES.sub("#", self.sentence)
+    def kind(self) -> tuple[str, str]:
+        """Equal for notices of which the newest is enough.
+
+        They say the same of other numbers or other typed text; or they are refusals, for what was tried before the
+        last attempt is of no interest any more.
+        """
+        return ("refusal", "") if self.is_refusal else (self.weight, _NUMBERS_AND_QUOTES.sub("#", self.sentence))
 
 
 class Notices(QObject):
@@ -57,6 +65,10 @@ class Notices(QObject):
         """Say something good to know that the user may act on, until it is closed."""
         self._tell(sentence, "note", remedies, stays=True)
 
+    def refuse(self, sentence: str, *remedies: Remedy, weight: Weight = "note") -> None:
+        """Say why what the user has just tried is not done; it takes the place of the refusal before."""
+        self._tell(sentence, weight, remedies, is_refusal=True)
+
     def warn(self, sentence: str, *remedies: Remedy) -> None:
         """Say that something may not be as the user thinks."""
         self._tell(sentence, "warning", remedies)
@@ -65,11 +77,19 @@ class Notices(QObject):
         """Say that something could not be done; nothing is lost."""
         self._tell(sentence, "error", remedies)
 
-    def _tell(self, sentence: str, weight: Weight, remedies: tuple[Remedy, ...], *, stays: bool = False) -> None:
+    def _tell(
+        self,
+        sentence: str,
+        weight: Weight,
+        remedies: tuple[Remedy, ...],
+        *,
+        stays: bool = False,
+        is_refusal: bool = False,
+    ) -> None:
         sentence = sentence.strip()
         if sentence:
             # the name of a file begins as it does
             is_name = any(sign in sentence.split(maxsplit=1)[0].rstrip(".:,!?…") for sign in "./\\:")
             first = sentence[0] if is_name else sentence[0].upper()
             whole = first + ended(sentence[1:])
-            self.told.emit(Notice(whole, weight, remedies, stays))
+            self.told.emit(Notice(whole, weight, remedies, stays, is_refusal))

@@ -91,7 +91,7 @@ LIGHT = Colours(
     preview="#0a8f8f",
     grid="#d5dae1",
     good_soft="#e8f5ec",
-    runs=("#1b6ec2", "#c2410c", "#1f7a45", "#7a3fb8", "#b3127a", "#6b5a00", "#0a7a8f", "#5f6672"),
+    runs=("#1b6ec2", "#c2410c", "#1f7a45", "#4a2511", "#b3127a", "#6b5a00", "#0a7a8f", "#5f6672"),
 )
 DARK = Colours(
     is_dark=True,
@@ -127,7 +127,7 @@ DARK = Colours(
     preview="#2cc4c4",
     grid="#3a414b",
     good_soft="#1d3527",
-    runs=("#5aa5ef", "#f08a55", "#62c38b", "#b98af0", "#ff7ac6", "#d8c34a", "#3fc1d6", "#a3abb8"),
+    runs=("#5aa5ef", "#f08a55", "#62c38b", "#ffe9b0", "#ff7ac6", "#d8c34a", "#3fc1d6", "#a3abb8"),
 )
 
 

@@ -71,6 +71,14 @@ def test_a_loaded_run_is_up_to_date_and_draws_the_same_line(tmp_path: Path) -> N
     assert loaded.runs[0].inputs.polyline is loaded.runs[1].inputs.polyline
 
 
+def test_runs_of_older_files_count_no_iteration_for_the_iterate_where_they_began() -> None:
+    project = full_project()
+    older = replace(project, runs=tuple(replace(run, nit=run.nit + 1) for run in project.runs))
+    encoded = encode_project(older)
+    loaded = decode_project(encoded.document, lambda name: encoded.blobs[name])
+    assert [run.nit for run in loaded.runs] == [run.history[-1, 0] for run in loaded.runs]
+
+
 @pytest.mark.parametrize(
     ("row", "column", "value"),
     [(0, 1, 7.0), (0, 1, 0.5), (1, 0, 0.0), (0, 2, 0.0), (0, 2, -1.0), (0, 4, np.nan), (1, 5, np.inf)],

@@ -83,7 +83,7 @@ def test_the_mission(opened, tmp_path):
     program.key("F5")
     program.until("project.run is not None and not desk.session.is_saved")
     program.until("widget('convergence_plot').data is not None and widget('convergence_plot').data.count > 10")
-    assert program.ask("widget('convergence_plot').data.count") == program.ask("project.run.nit")
+    assert program.ask("widget('convergence_plot').data.count") == program.ask("project.run.nit + 1")
 
     # The true line beside it.
     program.key("ctrl+shift+p")

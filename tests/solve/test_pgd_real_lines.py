@@ -79,7 +79,7 @@ class TestEveryRun:
     def test_every_iterate_holds_drop_and_limits(self, name, known):
         run = solved(name, known)
         numbers = [iterate.number for iterate in run.iterates]
-        assert numbers == list(range(run.solution.nit))
+        assert numbers == list(range(run.solution.nit + 1))
         for iterate in run.iterates[:: max(1, len(run.iterates) // 20)]:
             assert iterate.gradients.min() >= -0.2 - 1e-12
             assert iterate.gradients.max() <= 0.25 + 1e-12

@@ -21,6 +21,9 @@ NAN = float("nan")
         (Targets(100, 9, max_gradient=10.5), r"largest gradient .* \(0\.1 is 10 %"),
         (Targets(100, 9, min_gradient=0.1, max_gradient=0.1), "less than the largest"),
         (Targets(100, 9, mean_gradient=NAN), "mean gradient"),
+        (Targets(100, 9, mean_gradient=0.0), "drop divided by the length, so it must be more than 0"),
+        (Targets(100, 9, mean_gradient=-0.09), "drop divided by the length, so it must be more than 0"),
+        (Targets(100, 9, mean_gradient=-0.09, mean_gradient_is="drop-per-plan"), "length in plan, so it must be more"),
         (Targets(100, 9, known=(KnownElevation(NAN, 1),)), "two finite numbers"),
         (Targets(100, 9, known=(KnownElevation(5, 1, -1),)), "tolerance of the elevation at 5 m"),
         (Targets(100, 9, known=(KnownElevation(5, 1, NAN),)), "tolerance of the elevation at 5 m"),
@@ -36,6 +39,11 @@ def test_usable_figures_are_returned():
     assert check_targets(targets) is targets
     assert targets.segments_mean is None
     assert Targets(100, 9, mean_gradient=0.09, mean_gradient_is="segments").segments_mean == 0.09
+
+
+def test_the_mean_of_the_segments_may_be_negative():
+    targets = Targets(100, 9, mean_gradient=-0.01, mean_gradient_is="segments")
+    assert check_targets(targets) is targets
 
 
 def test_a_scale_moves_stations_and_no_elevations():

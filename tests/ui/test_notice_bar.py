@@ -150,6 +150,16 @@ def test_other_refusals_and_other_weights_stay(bar, notices):
     assert len(bar.shown) == 3
 
 
+def test_a_refusal_takes_the_place_of_the_one_before_whatever_it_is_about_and_however_grave(bar, notices):
+    notices.error("The disk is full.")
+    notices.note("It was saved.")
+    notices.refuse("the length must be more than 0 m", weight="error")
+    notices.refuse("'abc' is not a number", weight="warning")
+    notices.refuse("Select a segment first", Remedy("Select all", lambda: None))
+    assert sentences(bar) == ["Select a segment first.", "It was saved.", "The disk is full."]
+    assert bar.shown[0].weight == "note"
+
+
 def test_many_long_notices_are_scrolled_within_a_bounded_height(qtbot, bar, notices):
     long = "There is much to say of this, more than fits in one line of a window that is not wide. " * 3
     for number in range(4):

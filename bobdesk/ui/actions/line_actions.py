@@ -161,7 +161,7 @@ class LineActions(QObject):
             middle = 0.5 * (trace.points[after] + trace.points[after + 1])
             place = (float(middle[0]), float(middle[1]))
         if after < 0:
-            self._desk.notices.note(self.tr("Put the cursor on the line, or select a vertex, to insert one"))
+            self._desk.notices.refuse(self.tr("Put the cursor on the line, or select a vertex, to insert one"))
         elif self._desk.session.apply(
             self.tr("Insert vertex"), lambda before: edits.insert_vertex(before, after, place[0], place[1])
         ):

@@ -36,10 +36,10 @@ class AutomaticOperations(QObject):
         if not self._operations.ready():
             return
         if project.segments is None:
-            self._desk.notices.note(self.tr("The segments are automatic; nothing was corrected by hand."))
+            self._desk.notices.refuse(self.tr("The segments are automatic; nothing was corrected by hand."))
             return
         if all(is_kept(segment) for segment in project.segments):
-            self._desk.notices.note(
+            self._desk.notices.refuse(
                 self.tr("Every segment is locked or made by hand, so there is nothing to detect again."),
                 Remedy(self.tr("Back to automatic"), self.back_to_automatic),
             )
@@ -67,7 +67,7 @@ class AutomaticOperations(QObject):
     def back_to_automatic(self) -> None:
         """Give up all corrections; undo brings them back."""
         if self._desk.session.project.segments is None:
-            self._desk.notices.note(self.tr("The segments are automatic already."))
+            self._desk.notices.refuse(self.tr("The segments are automatic already."))
             return
         self._operations.select_nothing()
         self._operations.apply(self.tr("Back to automatic"), segment_edits.use_automatic_segments)
@@ -103,7 +103,7 @@ class AutomaticOperations(QObject):
         )
         segments = self._desk.session.project.segments
         if segments is not None and all(is_kept(segment) for segment in segments):
-            self._desk.notices.note(
+            self._desk.notices.refuse(
                 self.tr("Every segment is locked or made by hand, so other settings change none of them."),
                 Remedy(self.tr("Back to automatic"), self.back_to_automatic),
             )

@@ -96,11 +96,11 @@ class SegmentOperations(QObject):
         if not self.ready():
             return
         if station is None:
-            self._desk.notices.note(self.tr("Click on a strip or on the line first: the segment is split there."))
+            self._desk.notices.refuse(self.tr("Click on a strip or on the line first: the segment is split there."))
             return
         index = segment_at(self._segments, station)
         if any(abs(one.end - station) < _AT_A_BOUNDARY for one in self._segments[:-1]):
-            self._desk.notices.note(
+            self._desk.notices.refuse(
                 self.tr("There is a boundary here already; click inside a segment, and X splits it there.")
             )
             return
@@ -117,7 +117,7 @@ class SegmentOperations(QObject):
             self._say_select()
             return
         if chosen[-1] - chosen[0] + 1 != len(chosen):
-            self._desk.notices.note(self.tr("Only neighbours can be merged; select segments that follow each other."))
+            self._desk.notices.refuse(self.tr("Only neighbours can be merged; select segments that follow each other."))
             return
         first, last = (chosen[0], chosen[-1]) if len(chosen) > 1 else self._with_neighbour(chosen[0])
         if self.apply(self.tr("Merge segments"), lambda project: segment_edits.merge_segments(project, first, last)):
@@ -155,7 +155,7 @@ class SegmentOperations(QObject):
             return
         boundary = self.boundary()
         if boundary is None:
-            self._desk.notices.note(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
+            self._desk.notices.refuse(self.tr("Select a boundary first: click its handle on the plan or on a strip."))
             return
         if self.apply(self.tr("Delete boundary"), lambda project: segment_edits.delete_boundary(project, boundary)):
             self.select(boundary)
@@ -211,7 +211,7 @@ class SegmentOperations(QObject):
             moved = self.move_boundary(boundary, before + by, key=f"nudge boundary {boundary}")
             if moved and self._segments[boundary].end == before:
                 shortest = segment_edits.shortest_by_hand(self._desk.session.project)
-                self._desk.notices.note(
+                self._desk.notices.refuse(
                     self.tr(
                         "The boundary can go no further: segment {number} would be shorter than {shortest}."
                     ).format(number=boundary + (2 if by > 0 else 1), shortest=self._desk.quantities.length(shortest))
@@ -232,7 +232,7 @@ class SegmentOperations(QObject):
             before = self._desk.session.project
             self.apply(self.tr("Number curves"), segment_edits.number_curves)
             if self._desk.session.project is before:
-                self._desk.notices.note(self.tr("The curves are numbered already; names of your own stay."))
+                self._desk.notices.refuse(self.tr("The curves are numbered already; names of your own stay."))
 
     def take(self, segments: Segments, label: str) -> bool:
         """Take all segments from a file."""
@@ -244,7 +244,7 @@ class SegmentOperations(QObject):
         segments = self._segments
         locked = [index for index in (boundary, boundary + 1) if segments[index].locked]
         if locked:
-            self._desk.notices.note(
+            self._desk.notices.refuse(
                 self.tr("Segment {number} is locked, so this boundary stays; unlock it first (L).").format(
                     number=locked[0] + 1
                 ),
@@ -259,7 +259,7 @@ class SegmentOperations(QObject):
     def ready(self) -> bool:
         """Return whether there are segments and none are being found, and say so if not."""
         if not self._now.is_current:
-            self._desk.notices.note(self.tr("The segments are still being worked out; try again in a moment."))
+            self._desk.notices.refuse(self.tr("The segments are still being worked out; try again in a moment."))
             return False
         if not self._segments:
             self._say_none()
@@ -267,18 +267,18 @@ class SegmentOperations(QObject):
         return True
 
     def _say_none(self) -> None:
-        self._desk.notices.note(self._now.problem or self.tr("There are no segments yet: a line comes first."))
+        self._desk.notices.refuse(self._now.problem or self.tr("There are no segments yet: a line comes first."))
 
     def _say_one(self) -> bool:
         """Return whether there is one segment only, and say so."""
         if len(self._segments) == 1:
-            self._desk.notices.note(
+            self._desk.notices.refuse(
                 self.tr("The whole line is one segment, so there is nothing to merge; X splits it at the cursor.")
             )
         return len(self._segments) == 1
 
     def _say_select(self) -> None:
-        self._desk.notices.note(self.tr("Select a segment first: click it on the plan, on a strip or in the table."))
+        self._desk.notices.refuse(self.tr("Select a segment first: click it on the plan, on a strip or in the table."))
 
     def _chosen_or_say(self) -> tuple[int, ...]:
         if not self.ready():

@@ -43,7 +43,7 @@ class SegmentFiles(QObject):
         now = alignment_now(self._desk)
         value = now.known
         if value is None:
-            self._desk.notices.note(now.problem or self.tr("Segments lie on a line: trace or open one first."))
+            self._desk.notices.refuse(now.problem or self.tr("Segments lie on a line: trace or open one first."))
             return False
         try:
             found = read_segments(path, length=value.line.length)
@@ -87,7 +87,7 @@ class SegmentFiles(QObject):
 
         value = alignment_now(self._desk).known
         if value is None:
-            self._desk.notices.note(self.tr("There are no segments to save yet."))
+            self._desk.notices.refuse(self.tr("There are no segments to save yet."))
             return False
         try:
             write_atomic(path, segments_table(value.line, value.segments))

@@ -146,7 +146,7 @@ class SegmentsModel(HeadedModel):
             return False
         if self._now.is_trying_threshold:
             # The rows are those of a threshold that is tried, and may be other segments than the document's.
-            self._desk.notices.note(self.tr("A threshold is being tried; edit the table when that is done."))
+            self._desk.notices.refuse(self.tr("A threshold is being tried; edit the table when that is done."))
             return False
         column = self._columns[index.column()]
         if role == Qt.ItemDataRole.CheckStateRole and column.name == LOCK:
@@ -159,7 +159,7 @@ class SegmentsModel(HeadedModel):
         try:
             return column.change(row, text)
         except InputError as error:
-            self._desk.notices.warn(str(error))
+            self._desk.notices.refuse(str(error), weight="warning")
             return False
 
     def kinds(self) -> tuple[tuple[str, str], ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QHideEvent, QIcon, QPainter, QPen, QPixmap
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from bobdesk.project.project import Project
@@ -82,6 +82,14 @@ class ConvergencePart(Part):
         if event.type() == QEvent.Type.PaletteChange and hasattr(self, "reading"):
             self._show_icons()
             self.plot.update()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Show the result again: nothing else says that strips and view in space show an iterate."""
+        super().hideEvent(event)
+        if not event.spontaneous() and self.shown.scrubbed is not None:
+            self.plot.mark(None)
+            self.shown.scrub(None)
+            self._show()
 
     def _on_changed(self, before: Project, after: Project) -> None:
         if before.run is not after.run:

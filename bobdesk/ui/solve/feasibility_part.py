@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from bobdesk.project.project import Project
+from bobdesk.sentences import as_sentence
 from bobdesk.ui.derived import DerivedLater, line_inputs
 from bobdesk.ui.solve.feasibility_box import BoxKind, FeasibilityBox
 from bobdesk.ui.solve.remedies import Remedies
@@ -61,12 +62,21 @@ class FeasibilityPart(Part):
         found: Feasibility | None = self.later.value
         project = self.desk.session.project
         if found is None:
-            text = self.later.problem
-            if text is None:
-                waiting = project.source is not None or project.trace is not None
-                text = self.tr("Looking …") if waiting else self.tr("A centreline comes first.")
-            self.box.say("waiting", text, self._remedies.missing(project, None), is_current=self.later.is_current)
+            self._say_why_not(project)
             return
         kind: BoxKind = "good" if found.feasible and not found.doubt else "doubt"
         sentence = self.desk.quantities.sentence(found.sentence)
         self.box.say(kind, sentence, self._remedies.offers(found), is_current=self.later.is_current)
+
+    def _say_why_not(self, project: Project) -> None:
+        text = self.later.problem
+        if text is None:
+            waiting = project.source is not None or project.trace is not None
+            text = self.tr("Looking …") if waiting else self.tr("A centreline comes first.")
+        against = self._remedies.contradiction(project)
+        if self.later.problem is not None and against:
+            sentence = self.desk.quantities.sentence(as_sentence(text))
+            self.box.say("doubt", sentence, against, is_current=self.later.is_current)
+            return
+        offers = self._remedies.missing(project, None)
+        self.box.say("waiting", as_sentence(text), offers, is_current=self.later.is_current)

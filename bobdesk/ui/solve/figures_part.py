@@ -10,7 +10,7 @@ from PySide6.QtGui import QGuiApplication
 
 from bobdesk.project.project import Project
 from bobdesk.ui.derived import DerivedLater
-from bobdesk.ui.solve.run_figures import actual_figures, mean_of
+from bobdesk.ui.solve.run_figures import actual_figures, mean_of, percent_text
 from bobdesk.ui.widgets.columns_model import Column, ColumnsModel
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
@@ -18,10 +18,6 @@ from bobdesk.ui.widgets.table import Table
 
 if TYPE_CHECKING:
     from bobdesk.track.comparison import Comparison
-
-
-# Deviations of this size have one digit behind the point, others three.
-_LARGE_PERCENT = 100.0
 
 
 @dataclass(frozen=True)
@@ -157,4 +153,4 @@ class FiguresPart(Part):
         return rows
 
     def _percent(self, value: float) -> str:
-        return f"{self.desk.quantities.number(value, 3 if abs(value) < _LARGE_PERCENT else 1)} %"
+        return percent_text(self.desk.quantities, value)

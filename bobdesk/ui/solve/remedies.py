@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 Offer = tuple[str, Callable[[], object]]
 _SAME_SCALE = 1e-4
+# Of a length in space to the length in plan: far more than any track, and any error of a scale.
+_FAR_TOO_LONG = 2.0
 
 
 class Remedies(QObject):
@@ -44,6 +46,30 @@ class Remedies(QObject):
             return []
         return self._third(project, plan_length, only_missing=True)
 
+    def contradiction(self, project: Project) -> list[Offer]:
+        """Return what helps against figures of which no track can have all: a drop of more than the length."""
+        from bobdesk.project import edits
+
+        chosen = project.targets
+        length, drop = chosen.length, chosen.drop
+        if length is None or drop is None:
+            return []
+        mean = chosen.mean_gradient if chosen.mean_gradient_is == "drop-per-length" else None
+        if drop < length:
+            return self._third(project, None) if mean is not None and mean <= 0 else []
+        offers: list[Offer] = []
+        if drop > length and _may_be_as_long(project, drop):
+            # They stand in each other's fields.
+            text = self.tr("Swap length and height difference")
+            offers.append(
+                self._offer(
+                    text,
+                    text,
+                    lambda now: edits.set_drop(edits.set_length(now, drop), length),
+                )
+            )
+        return offers + (self._third(project, None) if mean is not None and mean < 1 else [])
+
     def _lengths(self, project: Project, found: Feasibility) -> list[Offer]:
         from bobdesk.project import edits
 
@@ -72,7 +98,7 @@ class Remedies(QObject):
         by_plan = chosen.mean_gradient_is == "drop-per-plan"
         base = plan_length if by_plan else chosen.length
         offers: list[Offer] = []
-        if chosen.drop is not None and base and not only_missing:
+        if chosen.drop is not None and base and chosen.drop < base and not only_missing:
             mean = round(chosen.drop / base, 6)
             offers.append(
                 self._offer(
@@ -81,7 +107,8 @@ class Remedies(QObject):
                     lambda now: edits.set_mean_gradient(now, mean, chosen.mean_gradient_is),
                 )
             )
-        mean_given = chosen.mean_gradient
+        # No length or drop follows from a mean gradient that no track can have.
+        mean_given = None if chosen.mean_gradient is None else max(chosen.mean_gradient, 0.0)
         if mean_given and base and (not only_missing or chosen.drop is None):
             drop = round(mean_given * base, 3)
             offers.append(
@@ -93,13 +120,14 @@ class Remedies(QObject):
             )
         if mean_given and chosen.drop is not None and not by_plan and (not only_missing or chosen.length is None):
             length = round(chosen.drop / mean_given, 3)
-            offers.append(
-                self._offer(
-                    self.tr("Keep the others, length {value}").format(value=unit.length(length, 2)),
-                    self.tr("Derive the length"),
-                    lambda now: edits.set_length(now, length),
+            if _may_be_as_long(project, length):
+                offers.append(
+                    self._offer(
+                        self.tr("Keep the others, length {value}").format(value=unit.length(length, 2)),
+                        self.tr("Derive the length"),
+                        lambda now: edits.set_length(now, length),
+                    )
                 )
-            )
         return offers
 
     def _offer(self, text: str, label: str, edit: Callable[[Project], Project]) -> Offer:
@@ -130,3 +158,14 @@ class Remedies(QObject):
                 lambda now: edits.scale_by_number(now, metres),
             )
         ]
+
+
+def _may_be_as_long(project: Project, length: float) -> bool:
+    """Return whether a length, m, is not far too long for this plan, as far as its scale is known."""
+    from bobdesk.plan.polyline_geometry import arc_lengths
+    from bobdesk.project import derive
+
+    line = derive.polyline(project).value
+    if line is None or not derive.scale_is_known(project):
+        return True
+    return length < _FAR_TOO_LONG * float(arc_lengths(line.vertices)[-1])

@@ -14,7 +14,7 @@ from bobdesk.ui.desk import Desk
 from bobdesk.ui.segments.alignment_now import alignment_now
 from bobdesk.ui.shown_result import shown_result_of
 from bobdesk.ui.solve.known_on_strip import KnownOnStrip
-from bobdesk.ui.strips.contents import Curve
+from bobdesk.ui.strips.contents import Curve, without_spikes
 
 if TYPE_CHECKING:
     from bobdesk.track.centreline3d import Centreline3D
@@ -107,9 +107,14 @@ class ResultStrips(QObject):
         if actual is not None and length > 0:
             stations, elevations, gradients = actual_profile(actual, length)
             gradient = Curve(
-                stations, gradients, "measure", 1.2, Qt.PenStyle.DashLine, counts=False, column="actual_gradient"
-            )
-            elevation = Curve(stations, elevations, "measure", 1.2, Qt.PenStyle.DashLine, column="actual_elevation_m")
+                stations, gradients, "measure", 1.2, Qt.PenStyle.DashLine,
+                # Surveyed lines have spikes, which would press all else flat.
+                counted=without_spikes(stations, gradients), column="actual_gradient",
+            )  # fmt: skip
+            elevation = Curve(
+                stations, elevations, "measure", 1.2, Qt.PenStyle.DashLine,
+                counted=without_spikes(stations, elevations), column="actual_elevation_m",
+            )  # fmt: skip
         self._stack.gradient.set_curve(_ACTUAL, gradient)
         self._stack.elevation.set_curve(_ACTUAL, elevation)
 

@@ -9,6 +9,10 @@ import numpy as np
 from bobdesk.project.project import ActualTrack
 from bobdesk.solve.targets import MeanGradientDefinition
 from bobdesk.track.figures import Figures
+from bobdesk.ui.quantities import Quantities
+
+# Deviations of this size have one digit behind the point, others three.
+_LARGE_PERCENT = 100.0
 
 
 @lru_cache(maxsize=4)
@@ -41,3 +45,13 @@ def mean_of(figures: Figures, definition: MeanGradientDefinition) -> float:
         "drop-per-plan": figures.mean_gradient_drop_per_plan,
         "segments": figures.mean_gradient_segments,
     }[definition]
+
+
+def percent_text(unit: Quantities, value: float) -> str:
+    """Return a deviation, in percent, as text."""
+    return f"{unit.number(value, 3 if abs(value) < _LARGE_PERCENT else 1)} %"
+
+
+def signed(text: str) -> str:
+    """Return a number as text with its sign, also where that is plus."""
+    return text if text[:1] in ("−", "-", "–") else f"+{text}"

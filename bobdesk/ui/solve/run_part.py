@@ -114,7 +114,7 @@ class RunPart(Part):
         if record is not None and record.newest is not None:
             text = self.tr("{name}: iteration {count}, J {value}").format(
                 name=self.solving.name,
-                count=number(record.count, 0),
+                count=number(record.newest.number, 0),
                 value=self.desk.quantities.short(record.newest.objective),
             )
             if self.solving.is_paused:

@@ -8,13 +8,14 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QInputDialog, QLabel, QMenu, QToolButton, QWidget
 
 from bobdesk.project.project import Project
-from bobdesk.solve.targets import MeanGradientDefinition
+from bobdesk.solve.targets import STEEPEST_GRADIENT, MeanGradientDefinition
 from bobdesk.ui.icons import icon
 from bobdesk.ui.solve.preset_dialog import PresetDialog
 from bobdesk.ui.solve.presets import Preset
 from bobdesk.ui.solve.target_field import TargetField
 from bobdesk.ui.widgets.panel import Panel
 from bobdesk.ui.widgets.part import Part
+from bobdesk.ui.widgets.typed_number import number_to_edit
 
 _DEFINITIONS: tuple[MeanGradientDefinition, ...] = ("drop-per-length", "drop-per-plan", "segments")
 # 1/m as per cent in ten metres.
@@ -239,6 +240,9 @@ class TargetsPart(Part):
     def _on_mean(self, shown: float | None) -> None:
         from bobdesk.project import edits
 
+        if not self._is_gradient(shown):
+            self._bring_back(self.mean)
+            return
         mean = None if shown is None else self.desk.quantities.meant_gradient(shown)
         named = _DEFINITIONS[self.definition.currentIndex()]
         self._apply(
@@ -248,32 +252,57 @@ class TargetsPart(Part):
     def _on_definition(self, index: int) -> None:
         from bobdesk.project import edits
 
-        self.desk.session.apply(
+        taken = self.desk.session.apply(
             self.tr("Definition of the mean gradient"),
             lambda project: edits.set_mean_gradient(project, project.targets.mean_gradient, _DEFINITIONS[index]),
         )
+        if not taken:
+            self.refresh(self.desk.session.project)
 
     def _on_lowest(self, shown: float | None) -> None:
-        self._limits(shown, self.desk.quantities.shown_gradient(self.desk.session.project.limits.max_gradient))
+        limits = self.desk.session.project.limits
+        self._limits(shown, self.desk.quantities.shown_gradient(limits.max_gradient), self.lowest)
 
     def _on_highest(self, shown: float | None) -> None:
-        self._limits(self.desk.quantities.shown_gradient(self.desk.session.project.limits.min_gradient), shown)
+        limits = self.desk.session.project.limits
+        self._limits(self.desk.quantities.shown_gradient(limits.min_gradient), shown, self.highest)
 
-    def _limits(self, low: float | None, high: float | None) -> None:
+    def _limits(self, low: float | None, high: float | None, field: TargetField) -> None:
         from bobdesk.project import edits
         from bobdesk.project.project import Limits
 
-        meant, usual = self.desk.quantities.meant_gradient, Limits()
-        lowest = usual.min_gradient if low is None else meant(low)
-        highest = usual.max_gradient if high is None else meant(high)
-        field = self.lowest if self.lowest.hasFocus() else self.highest
+        unit, usual = self.desk.quantities, Limits()
+        low = unit.shown_gradient(usual.min_gradient) if low is None else low
+        high = unit.shown_gradient(usual.max_gradient) if high is None else high
+        if not (self._is_gradient(low) and self._is_gradient(high)):
+            self._bring_back(field)
+            return
+        if low >= high:
+            self.panel.refuse(
+                self.tr("The smallest gradient, {low}, must be less than the largest, {high}.").format(
+                    low=self._as_typed(low), high=self._as_typed(high)
+                )
+            )
+            self._bring_back(field)
+            return
+        lowest, highest = unit.meant_gradient(low), unit.meant_gradient(high)
         self._apply(
             self.tr("Gradient limits"), "limits", lambda project: edits.set_limits(project, lowest, highest), field
         )
 
     def _on_change(self, shown: float | None) -> None:
         from bobdesk.project import edits
+        from bobdesk.project.target_edits import STEEPEST_CHANGE
 
+        most = _PERCENT_IN_TEN * STEEPEST_CHANGE
+        if shown is not None and not 0 < shown <= most:
+            self.panel.refuse(
+                self.tr("The change in 10 m must be more than 0 % and at most {most} %, not {typed} %.").format(
+                    most=self.desk.quantities.number(most, 0), typed=number_to_edit(shown)
+                )
+            )
+            self._bring_back(self.change)
+            return
         change = None if shown is None else shown / _PERCENT_IN_TEN
         self._apply(
             self.tr("Largest change of gradient"),
@@ -299,5 +328,24 @@ class TargetsPart(Part):
     def _apply(self, label: str, key: str, edit: object, field: TargetField) -> None:
         """Do an edit; one that is refused while typing puts the old figure back."""
         if not self.desk.session.apply(label, edit, key=f"targets {key}"):  # type: ignore[arg-type]
-            field.setModified(False)
-            self.refresh(self.desk.session.project)
+            self._bring_back(field)
+
+    def _bring_back(self, field: TargetField) -> None:
+        field.setModified(False)
+        self.refresh(self.desk.session.project)
+
+    def _is_gradient(self, shown: float | None) -> bool:
+        """Return whether what was typed can be a gradient; tell it in the unit in which it was typed if not."""
+        unit = self.desk.quantities
+        steepest = unit.shown_gradient(STEEPEST_GRADIENT)
+        if shown is None or abs(shown) <= steepest:
+            return True
+        self.panel.refuse(
+            self.tr("A gradient must lie between −{most} and {most}, downhill positive, not at {typed}.").format(
+                most=self._as_typed(round(steepest, 1)), typed=self._as_typed(shown)
+            )
+        )
+        return False
+
+    def _as_typed(self, shown: float) -> str:
+        return f"{number_to_edit(shown, 8).replace('-', '−')} {self.desk.quantities.gradient_unit}"

@@ -11,6 +11,10 @@ from PySide6.QtGui import QColor, QPen
 from bobdesk.arrays import FloatArray
 from bobdesk.ui.theme import colours
 
+_MEDIAN_OVER_M = 10.0
+# Points: a spike of a bad elevation is two of them wide, and more than the most take long for nothing.
+_FEWEST_OF_MEDIAN, _MOST_OF_MEDIAN = 5, 25
+
 
 def shade(colour: str, alpha: int = 255) -> QColor:
     """Return a colour of the theme by its name there, or any other as #rrggbb."""
@@ -33,6 +37,8 @@ class Curve:
         Of the pen.
     counts
         Whether the strip's range follows it; a noisy curve in the background does not.
+    counted : (n,)
+        What the range follows in the place of the values, such as these without spikes; None for the values.
     column
         Its column in an exported table; "" leaves it out.
     steps
@@ -46,6 +52,7 @@ class Curve:
     style: Qt.PenStyle = Qt.PenStyle.SolidLine
     alpha: int = 255
     counts: bool = True
+    counted: FloatArray | None = None
     column: str = ""
     steps: bool = False
 
@@ -161,6 +168,24 @@ def decimated(
     at = np.column_stack([x[starts], middle, middle, x[ends]]).ravel()
     second, third = np.where(rising, lowest, highest), np.where(rising, highest, lowest)
     return at, np.column_stack([y[starts], second, third, y[ends]]).ravel()
+
+
+def without_spikes(stations: FloatArray, values: FloatArray) -> FloatArray:
+    """Return values as their median over 10 m, and at least 5 points: without the spikes of single bad points.
+
+    Parameters
+    ----------
+    stations, values : (n,)
+        Ascending stations, m.
+    """
+    from scipy.ndimage import median_filter
+
+    if len(values) < _FEWEST_OF_MEDIAN:
+        return values
+    wide = _MEDIAN_OVER_M / max(float(np.median(np.diff(stations))), 1e-9)
+    points = int(min(max(wide, _FEWEST_OF_MEDIAN), _MOST_OF_MEDIAN)) // 2 * 2 + 1
+    found: FloatArray = median_filter(values, points, mode="nearest")
+    return found
 
 
 def stepped(stations: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -231,7 +231,8 @@ class Strip(QWidget):
         return QSize(600, 104)
 
     def _range_of_contents(self) -> tuple[float, float]:
-        parts = [self.to_shown(curve.values) for curve in self.curves.values() if curve.counts]
+        counted = (curve for curve in self.curves.values() if curve.counts)
+        parts = [self.to_shown(curve.values if curve.counted is None else curve.counted) for curve in counted]
         parts += [self.to_shown(marks.values) for marks in self.marks.values() if len(marks.values)]
         parts += [self.to_shown(np.array([level.value])) for level in self.levels.values() if level.counts]
         parts += [self.to_shown(edge) for band in self.bands.values() for edge in (band.low, band.high)]

@@ -66,7 +66,7 @@ class Panel(QScrollArea):
 
     def refuse(self, sentence: str) -> None:
         """Tell that something cannot be used."""
-        self.desk.notices.warn(sentence)
+        self.desk.notices.refuse(sentence, weight="warning")
 
     def add_label(self, text: str, kind: str = "", to: QVBoxLayout | None = None) -> QLabel:
         """Add text that wraps; kinds are those of the style sheet."""

@@ -24,7 +24,7 @@ _WITH_KEY = re.compile(r"\*\*([^*]+?→[^*]+?)\*\*\s+\(`([^`]+)`\)")
 # Keys that fields, tools and windows take themselves, with no row in the table of actions.
 OF_WIDGETS = {
     *("Enter", "Esc", "Tab", "Space", "Backspace", "Shift", "Ctrl", "Alt", "F2", "1", "3", "7"),
-    *("Ctrl+F", "F3", "Alt+Left", "Alt+Right", "Alt+Home", "Ctrl++", "Ctrl+-", "Ctrl+0", "Ctrl+W", "F6"),
+    *("Ctrl+C", "Ctrl+F", "F3", "Alt+Left", "Alt+Right", "Alt+Home", "Ctrl++", "Ctrl+-", "Ctrl+0", "Ctrl+W", "F6"),
 }
 
 

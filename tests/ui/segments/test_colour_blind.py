@@ -1,4 +1,4 @@
-"""Straights and curves as a person without the green cones sees them: on plan, strip and in the table.
+"""Straights and curves, and runs, as a person without the green cones sees them: on plan, strip and in the table.
 
 The simulation is that of Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color
 vision deficiency", 2009, for a whole deuteranopia, on linear RGB.
@@ -25,11 +25,11 @@ WHITE = TO_XYZ @ np.ones(3)
 AT_A_GLANCE = 20.0
 
 
-def as_seen(rgb):
+def as_seen(rgb, simulation=DEUTERANOPIA):
     """CIE Lab of colours (…, 3), 0 to 255, after the simulation."""
     scaled = np.asarray(rgb, dtype=float) / 255
     linear = np.where(scaled <= 0.04045, scaled / 12.92, ((scaled + 0.055) / 1.055) ** 2.4)
-    t = np.clip(linear @ DEUTERANOPIA.T, 0, 1) @ TO_XYZ.T / WHITE
+    t = np.clip(linear @ simulation.T, 0, 1) @ TO_XYZ.T / WHITE
     f = np.where(t > (6 / 29) ** 3, np.cbrt(t), t / (3 * (6 / 29) ** 2) + 4 / 29)
     return np.stack([116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]), 200 * (f[..., 1] - f[..., 2])], axis=-1)
 
@@ -39,8 +39,8 @@ def pixels(widget):
     return np.array(image.constBits()).reshape(image.height(), image.width(), 4)[:, :, 2::-1]
 
 
-def apart(one, other):
-    return float(np.linalg.norm(as_seen(one) - as_seen(other)))
+def apart(one, other, simulation=DEUTERANOPIA):
+    return float(np.linalg.norm(as_seen(one, simulation) - as_seen(other, simulation)))
 
 
 @pytest.fixture(params=["light", "dark"])
@@ -111,3 +111,19 @@ def test_curves_are_tinted_on_the_strips(desk, now, theme, qtbot):
     straight, curve = (np.median(tints[kind], axis=0) for kind in ("straight", "curve"))
     # A tint behind curves need only be seen beside none; each boundary has a line of its own too.
     assert np.linalg.norm(straight - curve) > 2.3
+
+
+def test_no_run_has_the_colour_of_the_actual_track_or_of_another_run(theme):
+    of = colours()
+    everybody = np.eye(3)
+    for number, run in enumerate(of.runs):
+        for other in (of.measure, of.base, *of.runs[:number]):
+            assert apart(rgb(run), rgb(other), everybody) > AT_A_GLANCE, (run, other)
+
+
+def test_the_first_four_runs_differ_without_green_cones_too(theme):
+    of = colours()
+    for number, run in enumerate(of.runs[:4]):
+        for other in (of.base, *of.runs[:number]):
+            assert apart(rgb(run), rgb(other)) > AT_A_GLANCE, (run, other)
+    assert apart(rgb(of.runs[3]), rgb(of.measure)) > AT_A_GLANCE

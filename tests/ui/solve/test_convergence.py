@@ -129,7 +129,7 @@ def test_the_end_of_the_curve_is_the_reported_objective_and_iterates_can_be_seen
     solving.run()
     idle()
     run = desk.session.project.run
-    assert part.plot.data.count == run.nit
+    assert part.plot.data.count == run.nit + 1
     assert part.plot.data.values("objective")[-1] == run.objective
     shown = part.shown
     idle()

@@ -143,7 +143,7 @@ def test_a_fault_in_a_solver_ends_the_run_with_a_sentence_and_keeps_the_best_ite
     solving.run()
     idle()
     run = desk.session.project.run
-    assert run.message.startswith("The solver failed (FloatingPointError: made on purpose) after 7 iterations")
+    assert run.message.startswith("The solver failed (FloatingPointError: made on purpose) after 6 iterations")
     assert len(run.history) == 7
     assert panel.convergence.plot.data.count == 7
     assert run.message in panel.run.progress.text()

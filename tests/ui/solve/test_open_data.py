@@ -222,7 +222,7 @@ def test_the_largest_change_is_typed_in_per_cent_in_ten_metres(desk, panel, qtbo
     type_into(qtbot, panel.targets.highest, "22")
     assert desk.session.project.limits.gradient_change == limits.gradient_change
     type_into(qtbot, panel.targets.change, "-1")
-    assert "largest change" in told[-1]
+    assert "change in 10 m" in told[-1]
     assert desk.session.project.limits.gradient_change == pytest.approx(0.002)
     desk.session.undo()
     desk.session.undo()

@@ -5,6 +5,7 @@ from PySide6.QtGui import QGuiApplication
 
 from bobdesk.project import derive, edits
 from bobdesk.project.project import ActualTrack
+from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.panels.solve_panel import SolvePanel
 from bobdesk.ui.solve.preset_dialog import PresetDialog
 from bobdesk.ui.solve.presets import presets
@@ -253,10 +254,25 @@ def test_overlay_baseline_and_copy(desk, panel, solving, idle):
     panel.runs.copy()
     lines = QGuiApplication.clipboard().text().splitlines()
     assert len(lines) == 5
-    assert lines[0].split("\t")[:3] == ["Run", "Length m", "Drop m"]
+    assert lines[0].split("\t")[:3] == ["Run", "Length m, difference to Run 1", "Drop m, difference to Run 1"]
     assert len({line.count("\t") for line in lines}) == 1
-    assert "60.00" in lines[4]
+    assert lines[4].split("\t")[2] == f"{60 - desk.session.project.runs[0].figures.drop:+.2f}"
     idle()
+
+
+@pytest.mark.parametrize("method", ["pgd", "published", "slsqp"])
+def test_iterations_are_counted_in_one_way(desk, panel, solving, idle, method):
+    desk.session.apply("Method", lambda project: edits.set_solver(project, SolverSettings(method=method)))
+    told = []
+    solving.advanced.connect(lambda: told.append((solving.record.count, panel.run.progress.text())))
+    solving.run()
+    idle()
+    run = desk.session.project.run
+    assert panel.convergence.plot.data.numbers[0] == 0
+    assert f" {run.nit:,} iterations in " in panel.run.progress.text()
+    assert panel.convergence.reading.text().startswith(f"Iterate {run.nit:,} of {run.nit:,}:")
+    count, text = told[-1]
+    assert f": iteration {count - 1:,}, " in text
 
 
 def test_out_of_date_is_said_with_what_has_changed(desk, panel, solving, idle):

@@ -34,7 +34,7 @@ def test_every_iterate_is_counted(desk, opened, solving, idle):
     solving.advanced.connect(lambda: records.append(solving.record))
     solving.run()
     idle()
-    assert records[-1].count == desk.session.project.run.nit
+    assert records[-1].count == desk.session.project.run.nit + 1
     assert solving.record_of(desk.session.project.run) is records[-1]
 
 

@@ -77,7 +77,7 @@ class AutoTraceTool(Tool):
         if pointer.button != Qt.MouseButton.LeftButton or self._job is not None:
             return
         if image is None:
-            self.desk.notices.note(self.tr("The picture is not ready yet"))
+            self.desk.notices.refuse(self.tr("The picture is not ready yet"))
             return
         if self._clicks and math.dist(self._clicks[-1], pointer.plan) < max(1.0, 3 * pointer.px_per_screen):
             return

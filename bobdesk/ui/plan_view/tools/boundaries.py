@@ -87,7 +87,7 @@ class BoundariesTool(Tool):
             return
         found = self._line.nearest(self.desk.session.project, pointer.plan)
         if found is None:
-            self.desk.notices.note(self._now.problem or self.tr("There are no segments yet: a line comes first"))
+            self.desk.notices.refuse(self._now.problem or self.tr("There are no segments yet: a line comes first"))
         elif found[1] <= 2 * pointer.reach:
             index = segment_at(self._now.segments, found[0])
             self._operations.select(index, station=found[0], add=pointer.holds(Qt.KeyboardModifier.ShiftModifier))

@@ -66,11 +66,11 @@ class FlagTool(Tool):
             return
         points = self._points()
         if points is None:
-            self.desk.notices.note(self.tr("There is no line yet; draw or trace it first"))
+            self.desk.notices.refuse(self.tr("There is no line yet; draw or trace it first"))
             return
         self._at = self._snapped(points, pointer)
         if self._at is None:
-            self.desk.notices.note(self.tr("Click on the line"))
+            self.desk.notices.refuse(self.tr("Click on the line"))
             return
         self._held = self._flag_under(points, pointer) or self._flag
         self.repaint.emit()

@@ -136,7 +136,7 @@ class LineTool(Tool):
             else:
                 self.reset()
         elif len(self.line.points) < 2:
-            self.desk.notices.note(self.tr("A line needs at least two points; click on, or take the point back"))
+            self.desk.notices.refuse(self.tr("A line needs at least two points; click on, or take the point back"))
         elif self._can_commit():
             self._commit(self.tr("Draw line"))
         else:
@@ -192,10 +192,10 @@ class LineTool(Tool):
     def _is_usable(self) -> bool:
         project = self.desk.session.project
         if project.source is not None:
-            self.desk.notices.note(self.tr("This plan comes from coordinates: its line is not drawn by hand"))
+            self.desk.notices.refuse(self.tr("This plan comes from coordinates: its line is not drawn by hand"))
             return False
         if project.picture is None and project.trace is None:
-            self.desk.notices.note(self.tr("Open a picture of the plan first"))
+            self.desk.notices.refuse(self.tr("Open a picture of the plan first"))
             return False
         return True
 

@@ -54,7 +54,7 @@ class TwoEdgesTool(LiveWireTool):
             if not self._is_working:
                 super().finish()
         elif len(self.line.points) < 2:
-            self.desk.notices.note(self.tr("An edge needs at least two points; click on, or take the point back"))
+            self.desk.notices.refuse(self.tr("An edge needs at least two points; click on, or take the point back"))
         elif self._first is None:
             self._first, self.line = self.line, LineInProgress()
             self._is_ending = False
