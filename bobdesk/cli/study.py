@@ -23,7 +23,7 @@ from bobdesk.files.study_journal import StudyJournal, digest_of
 from bobdesk.files.study_plans import StudyPlan, study_tasks
 from bobdesk.files.study_run import dask_executor, run_study
 from bobdesk.solve.targets import KnownElevation
-from bobdesk.track.study import FAILED, Task, Unready, cells
+from bobdesk.track.study import FAILED, STUDY_COLUMNS, Task, Unready, cells
 from bobdesk.track.study_choices import NO_SET, check_size, counts_of, weights_of
 
 if TYPE_CHECKING:
@@ -142,7 +142,7 @@ def command(
         files[picture] = draw_study(rows, kind=picture.suffix.lower())
     write_all(files)
     journal.remove()
-    failed = sum(row[-2] == FAILED for row in rows)
+    failed = sum(row[STUDY_COLUMNS.index("status")] == FAILED for row in rows)
     said = f", {failed} of them failed and say why" if failed else ""
     click.echo(f"{len(rows)} rows{said}, written to {output}")
 
