@@ -68,7 +68,7 @@ def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -
                 "The published objective, whatever the method itself makes small; it counts rises like falls",
             ),
             lambda result: result.row.objective,
-            lambda value: f"{value:.4g}".replace("-", "−"),
+            lambda value: unit.short(value, 4),
         ),
         number(
             QCoreApplication.translate("MethodsColumns", "Length %"),

@@ -226,6 +226,15 @@ def test_numbers_are_read_with_the_signs_of_the_country():
         wanted_of(StudyChoice(methods=("published",), weights="0,5; 1"), 1)
 
 
+def test_a_set_of_known_elevations_is_one_however_it_is_written():
+    wanted = wanted_of(StudyChoice(methods=("pgd",), known="100:5;200:3\n200:3; 100:5.0\nnone"), 1)
+    assert list(wanted.sets) == ["none", "100:5 200:3"]
+    assert wanted.cells_of(1) == 2
+    assert list(wanted_of(StudyChoice(methods=("pgd",), known="100.25:-5:0.5", without_known=False), 1).sets) == [
+        "100.25:-5:0.5"
+    ]
+
+
 def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, held_at):
     going_on = held_at(2)
     choose(study, counts="3-12")
