@@ -22,6 +22,7 @@ from bobdesk.files.solvers import solver_methods
 from bobdesk.files.study_journal import StudyJournal, digest_of
 from bobdesk.files.study_plans import StudyPlan, study_tasks
 from bobdesk.files.study_run import dask_executor, run_study
+from bobdesk.sentences import counted
 from bobdesk.solve.targets import KnownElevation
 from bobdesk.track.study import FAILED, STUDY_COLUMNS, Task, Unready, cells
 from bobdesk.track.study_choices import NO_SET, check_size, counts_of, known_set, set_name, weights_of
@@ -145,7 +146,7 @@ def command(
     journal.remove()
     failed = sum(row[STUDY_COLUMNS.index("status")] == FAILED for row in rows)
     said = f", {failed} of them failed and say why" if failed else ""
-    click.echo(f"{len(rows)} rows{said}, written to {output}")
+    click.echo(f"{counted(len(rows), 'row')}{said}, written to {output}")
 
 
 def _known_set(text: str) -> tuple[KnownElevation, ...]:
