@@ -90,12 +90,11 @@ def legend_of(names: Sequence[str], metrics: QFontMetricsF, area: QSizeF) -> Leg
 
 
 def height_for_all(names: Sequence[str], metrics: QFontMetricsF, area: QSizeF) -> float:
-    """Return the height that an area needs to show all names that tell curves apart; at least its own."""
+    """Return the height in which a legend below leaves the curves what they have of an area, and names them all."""
     legend = legend_of(names, metrics, area)
-    if legend is None or not _is_cut(legend, names):
+    if legend is None or not (legend.is_below or _is_cut(legend, names)):
         return area.height()
-    whole = _below(names, metrics, QSizeF(area.width(), math.inf))
-    return max(area.height(), whole.size.height() + PLOT_HEIGHT)
+    return area.height() + _below(names, metrics, QSizeF(area.width(), math.inf)).size.height() + GAP
 
 
 def wrapped(text: str, metrics: QFontMetricsF, width: float) -> tuple[str, ...]:
