@@ -57,6 +57,14 @@ def test_a_method_is_judged_by_its_line_and_not_by_what_it_says_of_itself(call):
     assert "it does not show what is missed of them by published, lbfgsb and de\n" in said.out
 
 
+def test_a_line_that_misses_targets_says_so_whatever_its_method_says(call):
+    arguments = ("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--method")
+    said = call(*arguments, "lbfgsb")
+    assert "Convergence" in said.out
+    assert "note: the line of the method lbfgsb does not meet the targets: drop 0.0365 % too large; length" in said.err
+    assert "does not meet" not in call(*arguments, "pgd").err
+
+
 def test_a_method_that_fails_is_a_row_with_its_reason(call):
     table = call.path("m.csv")
     said = call(

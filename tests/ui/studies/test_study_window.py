@@ -124,6 +124,19 @@ def spin(qtbot) -> None:
         clock.start(400)
 
 
+def test_a_row_says_what_its_line_misses_whatever_its_method_says(study, until):
+    choose(study, counts="4", weights="1")
+    study.solve()
+    until(lambda: not study.is_running)
+    model = study.results.model
+    targets = [column.heading() for column in model.headed()].index("Targets")
+    pgd, other = study.results.rows
+    assert model.index(0, targets).data() == "✓ met"
+    assert (value_of(pgd, "status"), value_of(other, "status")) == ("met", "not met")
+    assert model.index(1, targets).data() == f"! {value_of(other, 'missed')}"
+    assert "% too short" in value_of(other, "missed")
+
+
 def test_a_cell_that_fails_is_a_row_with_its_reason(study, until):
     choose(study, counts="4, 900", methods=("pgd",))
     study.solve()
