@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -14,7 +15,11 @@ from bobdesk.cli.steps import with_progress
 from bobdesk.files.plan_input import PlanInput
 from bobdesk.files.solvers import watched_methods
 from bobdesk.project.target_edits import LARGEST_PLAN_ERROR
+from bobdesk.sentences import listed
 from bobdesk.solve.settings import SolverSettings
+
+if TYPE_CHECKING:
+    from bobdesk.track.method_comparison import MethodRow
 
 open_data_options = combined(
     click.option(
@@ -41,7 +46,7 @@ open_data_options = combined(
         "--second-opinions",
         type=FILE,
         metavar="M.csv",
-        help="Run all methods and write objective, deviations, evaluations and seconds of each.",
+        help="Run all methods and write of each whether it meets the targets, objective, deviations and effort.",
     ),
 )
 
@@ -87,8 +92,31 @@ def open_data_files(
             clock=time.perf_counter,
             methods=watched_methods(),
         )
-        files[asked.second_opinions] = methods_table(with_progress(job, "methods"))
+        rows = with_progress(job, "methods")
+        files[asked.second_opinions] = methods_table(rows)
+        sentences += _verdicts(rows)
     return files, sentences
+
+
+def _verdicts(rows: Sequence[MethodRow]) -> list[str]:
+    """Say which methods meet the targets, what the others miss, and why J may not show it."""
+    from bobdesk.track.missed import MET_WITHIN, missed_text
+
+    within = f"within {100 * MET_WITHIN:g} %"
+    met = [row.method for row in rows if row.verdict == "met"]
+    said = [f"the targets are met {within} by {listed(met)}" if met else f"no method meets the targets {within}"]
+    said += [f"{row.method} does not meet them: {missed_text(row.missed)}" for row in rows if row.verdict == "not met"]
+    rising = [
+        f"{row.counted_drop:.2f} m where {row.method} has {row.found.drop:.2f} m"
+        for row in rows
+        if row.found is not None and row.has_rises_in_objective
+    ]
+    if rising:
+        said.append(f"the objective J counts rises like falls: it sees a height difference of {listed(rising)}")
+    unaware = [row.method for row in rows if any(miss.target == "known elevations" for miss in row.missed)]
+    if unaware:
+        said.append(f"J has no term for known elevations; it does not show what is missed of them by {listed(unaware)}")
+    return said
 
 
 def _budget_files(

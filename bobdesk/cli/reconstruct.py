@@ -41,6 +41,9 @@ from bobdesk.solve.settings import Weights
 from bobdesk.solve.targets import Targets, in_scale
 from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Figures, deviations, figures
+from bobdesk.track.missed import missed_targets, missed_text
+
+_CANNOT_BE_MET = 2
 
 
 def _change(_context: click.Context, _option: click.Parameter, value: float | None) -> float | None:
@@ -139,7 +142,7 @@ def command(
     seconds = time.perf_counter() - started
     line = make_centreline3d(given.centreline, given.segments, solution)
     found = figures(line)
-    if strict and solution.status == 2:
+    if strict and solution.status == _CANNOT_BE_MET:
         raise UnmetTargetsError(solution.message)
 
     files, sentences = open_data_files(given, settings, about_errors)
@@ -166,6 +169,10 @@ def command(
     files[output] = line_table(line, flavour=flavour)
     write_all(files)
     notes = _notes(possible, method, given.asked, settings.weights)
+    missed = missed_targets(line, found, solution, given.targets)
+    # Where the solver knows that a target cannot be met, its own sentence below says so.
+    if missed and solution.status != _CANNOT_BE_MET:
+        notes.append(f"the line of the method {method.key} does not meet the targets: {missed_text(missed)}")
     for note in notes:
         click.echo(f"note: {note}", err=True)
     _say(solution.message, found, output)

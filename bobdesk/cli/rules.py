@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,6 +18,7 @@ from bobdesk.files.importers.line3d import read_line3d
 from bobdesk.files.project_file import is_project, load_project
 from bobdesk.files.rules_file import findings_table, read_rules
 from bobdesk.project.derive_runs import run_line
+from bobdesk.sentences import counted
 from bobdesk.track.centreline3d import Centreline3D
 from bobdesk.track.design_rules import Finding, Rule, judged
 from bobdesk.track.sled import Sled, check_sled
@@ -58,17 +60,39 @@ def command(line: Path, rules_from: Path | None, output: Path | None, **options:
     if own is not None:
         rules = own
     elif rules is None:
-        rules = read_rules(resource("rules", "design_rules.json"))
+        rules = read_rules(_usual())
     findings = judged(track, rules, replace(sled, **given))
     if output is not None:
         write_atomic(output, findings_table(findings))
     for found in findings:
         click.echo(_said(found))
-    broken = sum(found.verdict == "broken" for found in findings)
-    kept = sum(found.verdict == "kept" for found in findings)
-    click.echo(f"{kept} rules kept, {broken} broken, {len(findings) - kept - broken} not judged")
+    click.echo(_counted(findings) if findings else _why_none(line, rules_from, are_there=bool(rules)))
     if output is not None:
         click.echo(f"written to {output}")
+
+
+def _counted(findings: Sequence[Finding]) -> str:
+    broken = sum(found.verdict == "broken" for found in findings)
+    kept = sum(found.verdict == "kept" for found in findings)
+    return f"{counted(kept, 'rule')} kept, {broken} broken, {len(findings) - kept - broken} not judged"
+
+
+def _why_none(line: Path, rules_from: Path | None, *, are_there: bool) -> str:
+    """Say why nothing was judged, and where rules are: a list without any is the user's own."""
+    if rules_from is not None:
+        if are_there:
+            return f'nothing is judged: every rule in {rules_from} has "used": false'
+        others = "the project's" if is_project(line) else "BobDesk's"
+        return f"nothing is judged: there are no rules in {rules_from}; without --rules {others} are taken"
+    judges = f"--rules {_usual()} judges by those that come with BobDesk"
+    if are_there:
+        return f"nothing is judged: no rule in the list of {line} is ticked; {judges}"
+    back = "Usual rules in step 6, Export, brings them back"
+    return f"nothing is judged: there are no rules in the list of {line}; {back}, and {judges}"
+
+
+def _usual() -> Path:
+    return resource("rules", "design_rules.json")
 
 
 def _read(path: Path) -> tuple[Centreline3D, tuple[Rule, ...] | None, Sled]:

@@ -99,7 +99,9 @@ def plan_and_segments(
 def tell_own_segments(path: Path, found: ImportedLine, count: int | None, threshold: float | None) -> None:
     """Say on stderr that a plan's own segments are used, where they are."""
     if found.segments is not None and has_own_segments(found, count, threshold):
-        click.echo(f"note: {path}: its own {len(found.segments)} segments are used", err=True)
+        one = len(found.segments) == 1
+        own = "its own 1 segment is used" if one else f"its own {len(found.segments)} segments are used"
+        click.echo(f"note: {path}: {own}", err=True)
 
 
 def with_progress(job: Generator[Any, None, Result], doing: str) -> Result:

@@ -22,9 +22,10 @@ from bobdesk.files.solvers import solver_methods
 from bobdesk.files.study_journal import StudyJournal, digest_of
 from bobdesk.files.study_plans import StudyPlan, study_tasks
 from bobdesk.files.study_run import dask_executor, run_study
+from bobdesk.sentences import counted
 from bobdesk.solve.targets import KnownElevation
-from bobdesk.track.study import FAILED, Task, Unready, cells
-from bobdesk.track.study_choices import NO_SET, check_size, counts_of, weights_of
+from bobdesk.track.study import FAILED, STUDY_COLUMNS, Task, Unready, cells
+from bobdesk.track.study_choices import NO_SET, check_size, counts_of, known_set, set_name, weights_of
 
 if TYPE_CHECKING:
     from concurrent.futures import Executor
@@ -107,7 +108,8 @@ def command(
         if name not in [method.key for method in available]:
             keys = ", ".join(method.key for method in available)
             raise click.UsageError(f"--methods must be of {keys}, not '{name}'")
-    sets = {text: _known_set(text) for text in known_sets or (NO_SET,)}
+    chosen = [_known_set(text) for text in known_sets or (NO_SET,)]
+    sets = {set_name(known): known for known in chosen}
     asked = [taken_target_options(plan, **options) for plan in plans]
     check_outputs([output, picture], inputs=plans)
     if picture is not None and picture.suffix.lower() not in (".png", ".svg"):
@@ -142,15 +144,15 @@ def command(
         files[picture] = draw_study(rows, kind=picture.suffix.lower())
     write_all(files)
     journal.remove()
-    failed = sum(row[-2] == FAILED for row in rows)
+    failed = sum(row[STUDY_COLUMNS.index("status")] == FAILED for row in rows)
     said = f", {failed} of them failed and say why" if failed else ""
-    click.echo(f"{len(rows)} rows{said}, written to {output}")
+    click.echo(f"{counted(len(rows), 'row')}{said}, written to {output}")
 
 
 def _known_set(text: str) -> tuple[KnownElevation, ...]:
     if not text.strip():
         raise click.UsageError(f"--known-set needs a STATION:ELEVATION, or {NO_SET} for an empty set")
-    return () if text.strip() == NO_SET else tuple(known_elevation(part, "--known-set") for part in text.split())
+    return known_set(text, lambda part: known_elevation(part, "--known-set"))
 
 
 def _solved(

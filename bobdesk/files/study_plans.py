@@ -11,6 +11,7 @@ from bobdesk.files.plan_input import PlanInput, plan_input
 from bobdesk.progress import Progress
 from bobdesk.project import derive
 from bobdesk.project.project import Project
+from bobdesk.sentences import counted
 from bobdesk.solve.targets import KnownElevation, Targets, in_scale
 from bobdesk.track.study import Cell, Task, Unready, task_of
 
@@ -82,7 +83,7 @@ def study_tasks(
         key = (cell.plan, cell.count)
         if key not in ready:
             plan = by_name[cell.plan]
-            segments = "automatic segments" if cell.count is None else f"{cell.count} segments"
+            segments = "automatic segments" if cell.count is None else counted(cell.count, "segment")
             yield Progress(0.0, f"{plan.name}, {segments}")
             try:
                 ready[key] = plan_input(

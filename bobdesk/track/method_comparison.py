@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Generator, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 import numpy as np
 
@@ -19,8 +20,11 @@ from bobdesk.solve.settings import SolverSettings, Weights
 from bobdesk.solve.targets import Targets
 from bobdesk.track.centreline3d import Centreline3D, make_centreline3d
 from bobdesk.track.figures import Deviations, Figures, deviations, figures
+from bobdesk.track.missed import Miss, missed_targets
 
 _ITERATES_A_REPORT = 10
+_RISES_SHARE = 0.01
+Verdict = Literal["met", "not met", "failed"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,7 +43,11 @@ class MethodRow:
     iterations, evaluations, seconds
         What it took.
     message
-        Why it ended, one sentence.
+        Why it ended as its solver sees it, one sentence; of the targets that says nothing.
+    missed
+        The targets that the line misses.
+    counted_drop
+        The height difference as J counts it, m: the sum of all rises and falls. NaN where it failed.
     """
 
     method: str
@@ -53,6 +61,18 @@ class MethodRow:
     evaluations: int
     seconds: float
     message: str
+    missed: tuple[Miss, ...] = ()
+    counted_drop: float = math.nan
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether the line meets the targets."""
+        return "failed" if self.found is None else "not met" if self.missed else "met"
+
+    @property
+    def has_rises_in_objective(self) -> bool:
+        """Whether much of the height difference in J are rises: J is then no measure of the drop."""
+        return self.found is not None and self.counted_drop > (1 + _RISES_SHARE) * self.found.drop
 
 
 def compare_methods(
@@ -119,10 +139,12 @@ def _row(
         return _failed(method, solution.nit, solution.nfev, seconds, "ran off to infinity")
     line = make_centreline3d(centreline, segments, solution)
     found = figures(line)
+    objective = PublishedObjective(solution.profile, targets, weights)
+    value, terms = objective.value_and_terms(solution.gradients, solution.scale)
     return MethodRow(
         method.key,
         method.title,
-        published_value(solution, targets, weights),
+        value,
         solution,
         line,
         found,
@@ -131,6 +153,8 @@ def _row(
         solution.nfev,
         seconds,
         solution.message,
+        missed_targets(line, found, solution, targets),
+        targets.drop - terms.height,
     )
 
 

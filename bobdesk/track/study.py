@@ -19,6 +19,7 @@ from bobdesk.track.centreline3d import make_centreline3d
 from bobdesk.track.comparison import compare
 from bobdesk.track.figures import deviations, figures
 from bobdesk.track.method_comparison import published_value
+from bobdesk.track.missed import missed_targets, missed_text
 
 STUDY_COLUMNS = (
     "plan",
@@ -42,6 +43,7 @@ STUDY_COLUMNS = (
     "iterations",
     "evaluations",
     "status",
+    "missed",
     "message",
 )
 FAILED = "failed"
@@ -172,8 +174,8 @@ def solve_task(task: Task | Unready, methods: tuple[SolverMethod, ...] = METHODS
 def failed_row(cell: Cell, why: str, *, segments: int | None = None) -> tuple[str, ...]:
     """Return the row of a cell that could not be solved."""
     count = "" if segments is None else str(segments)
-    empty = [""] * (len(STUDY_COLUMNS) - len(cell.key) - 3)
-    return (cell.key[0], cell.key[1], count, *cell.key[2:], *empty, FAILED, " ".join(why.split()))
+    empty = [""] * (len(STUDY_COLUMNS) - len(cell.key) - 4)
+    return (cell.key[0], cell.key[1], count, *cell.key[2:], *empty, FAILED, "", " ".join(why.split()))
 
 
 def percent_text(value: float) -> str:
@@ -188,6 +190,7 @@ def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
     line = make_centreline3d(task.centreline, task.segments, solution)
     found = figures(line)
     off = deviations(found, task.targets)
+    missed = missed_targets(line, found, solution, task.targets)
     z_rms = "" if task.actual is None else f"{compare(line.points, task.actual).z_rms:.4f}"
     return (
         *task.cell.key[:2],
@@ -207,6 +210,7 @@ def _solved(task: Task, methods: tuple[SolverMethod, ...]) -> tuple[str, ...]:
         f"{solution.scale * task.factor:.6f}",
         str(solution.nit),
         str(solution.nfev),
-        {0: "met", 1: "stopped", 2: "not met"}.get(solution.status, str(solution.status)),
+        "not met" if missed else "met",
+        missed_text(missed),
         solution.message,
     )

@@ -86,15 +86,37 @@ def known_elevation(text: str) -> KnownElevation:
     return KnownElevation(*numbers)
 
 
-def known_set(text: str) -> tuple[KnownElevation, ...]:
-    """Return the elevations of a set, parted by spaces; "none" and "" are the empty one.
+def known_set(text: str, elevation: Callable[[str], KnownElevation] = known_elevation) -> tuple[KnownElevation, ...]:
+    """Return the elevations of a set by station, each once; parted by spaces or semicolons.
+
+    "none" and "" are the empty set.
+
+    Parameters
+    ----------
+    elevation
+        Reads one; raises InputError.
 
     Raises
     ------
     InputError
         If one of them is none.
     """
-    return () if text.strip().lower() in ("", NO_SET) else tuple(known_elevation(part) for part in text.split())
+    if text.strip().lower() in ("", NO_SET):
+        return ()
+    parts = [part for part in re.split(r"[;\s]+", text) if part]
+    found = {elevation(part) for part in parts or [text]}
+    return tuple(sorted(found, key=lambda known: (known.station, known.elevation, known.tolerance)))
+
+
+def set_name(known: Sequence[KnownElevation]) -> str:
+    """Return the one way in which a set from `known_set` is written, and by which it is known."""
+    return " ".join(_written(each) for each in known) or NO_SET
+
+
+def _written(known: KnownElevation) -> str:
+    numbers = [known.station, known.elevation, *([known.tolerance] if known.tolerance else [])]
+    # Adding 0 takes the sign from a zero.
+    return ":".join(f"{number + 0.0:.12g}" for number in numbers)
 
 
 def check_size(count: int) -> None:

@@ -39,6 +39,32 @@ def test_all_methods_side_by_side(call):
     assert rows.loc["lbfgsb", "objective"] <= rows.loc["published", "objective"]
 
 
+def test_a_method_is_judged_by_its_line_and_not_by_what_it_says_of_itself(call):
+    table = call.path("m.csv")
+    known = ("--known", "350:14")
+    said = call("reconstruct", call.plan, *TARGETS, *known, "-o", call.path("l.csv"), "--second-opinions", table)
+    rows = pd.read_csv(table, keep_default_na=False).set_index("method")
+    assert rows.loc["lbfgsb", "message"].startswith("Convergence")
+    assert rows.loc["lbfgsb", "status"] == "not met"
+    assert rows.loc["lbfgsb", "missed"].endswith("known elevation at 350 m missed by 1.04 m")
+    assert (rows.loc["pgd", "status"], rows.loc["pgd", "missed"]) == ("met", "")
+    assert "the targets are met within 0.01 % by pgd, slsqp and trustconstr\n" in said.out
+    assert f"lbfgsb does not meet them: {rows.loc['lbfgsb', 'missed']}\n" in said.out
+    # Differential evolution has its small J from ups and downs.
+    assert rows.loc["de", "objective"] < rows.loc["lbfgsb", "objective"]
+    assert float(rows.loc["de", "drop_percent"]) < -5
+    assert "the objective J counts rises like falls: it sees a height difference of 29.99 m where de has" in said.out
+    assert "it does not show what is missed of them by published, lbfgsb and de\n" in said.out
+
+
+def test_a_line_that_misses_targets_says_so_whatever_its_method_says(call):
+    arguments = ("reconstruct", call.plan, *TARGETS, "-o", call.path("l.csv"), "--method")
+    said = call(*arguments, "lbfgsb")
+    assert "Convergence" in said.out
+    assert "note: the line of the method lbfgsb does not meet the targets: drop 0.0365 % too large; length" in said.err
+    assert "does not meet" not in call(*arguments, "pgd").err
+
+
 def test_a_method_that_fails_is_a_row_with_its_reason(call):
     table = call.path("m.csv")
     said = call(

@@ -53,6 +53,46 @@ def test_a_project_brings_its_own_rules_and_sled(call):
     assert speed >= 3.6 * 33.0
 
 
+def project_with(call, *rules):
+    project = ready_project()
+    project = edits.set_rules(edits.keep_run(project, solved_run(project)), rules)
+    path = call.path("p.bobdesk")
+    save_project(project, path)
+    return path
+
+
+def test_an_empty_list_of_a_project_says_how_the_rules_come_back(call):
+    path, table = project_with(call), call.path("f.csv")
+    said = call("rules", path, "-o", table)
+    assert said.status == 0, said.err
+    assert f"there are no rules in the list of {path}; Usual rules in step 6, Export, brings them back" in said.out
+    assert "kept" not in said.out
+    assert table.read_text().startswith("rule,")
+    usual = said.out.split("--rules ")[1].split(" judges")[0]
+    assert len(call("rules", path, "--rules", usual).out.splitlines()) == 12
+
+
+def test_rules_of_which_none_is_used_say_so(call):
+    path = project_with(call, Rule("mine", "speed", None, 1.0, is_used=False))
+    assert f"no rule in the list of {path} is ticked" in call("rules", path).out
+    own = call.path("own.json")
+    own.write_text(json.dumps({"rules": [{"rule": "slow", "unit": "km/h", "max": 60, "used": False}]}))
+    assert f'every rule in {own} has "used": false' in call("rules", path, "--rules", own).out
+
+
+def test_an_empty_file_of_rules_says_what_there_is_without_it(call):
+    own = call.path("own.json")
+    own.write_text('{"rules": []}')
+    said = call("rules", call.plan, "--rules", own)
+    assert said.out == f"nothing is judged: there are no rules in {own}; without --rules BobDesk's are taken\n"
+    assert "without --rules the project's are taken" in call("rules", project_with(call), "--rules", own).out
+
+
+def test_one_rule_is_counted_as_one(call):
+    path = project_with(call, Rule("mine", "speed", None, 999.0))
+    assert "1 rule kept, 0 broken, 0 not judged\n" in call("rules", path).out
+
+
 def test_refusals(call):
     bad = call.path("bad.json")
     bad.write_text("{}")

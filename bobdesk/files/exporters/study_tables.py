@@ -9,10 +9,11 @@ import numpy as np
 from bobdesk.files.exporters.csv_flavours import FLAVOURS, text_cell, to_csv
 from bobdesk.track.error_budget import ErrorBudget
 from bobdesk.track.method_comparison import MethodRow
+from bobdesk.track.missed import missed_text
 from bobdesk.track.study import STUDY_COLUMNS, percent_text
 
 _FLAVOUR = FLAVOURS["default"]
-_WORDS = ("plan", "method", "known", "status", "message")
+_WORDS = ("plan", "method", "known", "status", "missed", "message")
 
 
 def budget_table(budget: ErrorBudget, *, flavour: str = "default") -> bytes:
@@ -47,6 +48,8 @@ def methods_table(rows: Sequence[MethodRow]) -> bytes:
     """Return one row a method; figures that a failed one has not are empty."""
     header = (
         "method",
+        "status",
+        "missed",
         "objective",
         "length_m",
         "drop_m",
@@ -88,4 +91,5 @@ def _method_cells(row: MethodRow) -> list[str]:
             f"{row.found.max_gradient:.6f}",
         ]
     effort = [str(row.iterations), str(row.evaluations), f"{row.seconds:.4f}"]
-    return [text_cell(row.method, _FLAVOUR), *figures, *effort, text_cell(row.message, _FLAVOUR)]
+    verdict = [row.verdict, text_cell(missed_text(row.missed), _FLAVOUR)]
+    return [text_cell(row.method, _FLAVOUR), *verdict, *figures, *effort, text_cell(row.message, _FLAVOUR)]

@@ -7,15 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QLocale, QPointF, QRectF, Qt
+from PySide6.QtCore import QLocale, QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPolygonF
 
 from bobdesk.arrays import FloatArray
 from bobdesk.ui.plots.decimated import decimated
+from bobdesk.ui.plots.legend import height_for_all, legend_of
 from bobdesk.ui.theme import colours
 
-_GAP, _TICK, _SAMPLE = 8.0, 5.0, 28.0
-_LEGEND_SHARE, _NARROW_SHARE, _NARROW = 0.36, 0.5, 640.0
+_GAP, _TICK = 8.0, 5.0
 _MARKED_UP_TO = 60
 _ROOM_SHARE = 0.04
 # Colour never stands alone: neighbours in the legend differ in their line, too.
@@ -135,6 +135,15 @@ def draw_chart(painter: QPainter, whole: QRectF, chart: Chart) -> None:
     painter.restore()
 
 
+def size_with_legend(chart: Chart, font: QFont, size: QSize) -> QSize:
+    """Return the size in which a chart shows its whole legend: the given one, or a higher one."""
+    metrics = QFontMetricsF(font)
+    above = 2 * _GAP + (metrics.height() + _GAP if chart.title else 0)
+    area = QSizeF(size.width() - 2 * _GAP, size.height() - above)
+    needed = height_for_all([each.name for each in chart.series], metrics, area)
+    return QSize(size.width(), math.ceil(needed + above))
+
+
 def _titled(painter: QPainter, area: QRectF, title: str) -> QRectF:
     painter.save()
     bold = QFont(painter.font())
@@ -149,34 +158,13 @@ def _titled(painter: QPainter, area: QRectF, title: str) -> QRectF:
 
 
 def _beside_legend(painter: QPainter, area: QRectF, series: Sequence[Series]) -> QRectF:
-    """Draw the legend at the right of an area and return what is left of it."""
-    if len(series) < 2:
+    """Draw the legend into an area and return what is left of it."""
+    legend = legend_of([each.name for each in series], QFontMetricsF(painter.font()), area.size())
+    if legend is None:
         return area
-    metrics = QFontMetricsF(painter.font())
-    widest = max(metrics.horizontalAdvance(each.name) for each in series) + _SAMPLE + 2 * _GAP
-    width = min(widest, (_NARROW_SHARE if area.width() < _NARROW else _LEGEND_SHARE) * area.width())
-    row = metrics.height() + 4
-    most = max(1, int(area.height() / row))
-    shown_series = series if len(series) <= most else series[: most - 1]
-    left = area.right() - width
-    for index, each in enumerate(shown_series):
-        y = area.top() + index * row
-        painter.setPen(_pen(each))
-        middle = QPointF(left + _GAP + _SAMPLE, y + row / 2)
-        painter.drawLine(QPointF(left + _GAP, y + row / 2), middle)
-        painter.setPen(QColor(colours().text))
-        room = width - _SAMPLE - 2 * _GAP
-        text = metrics.elidedText(each.name, Qt.TextElideMode.ElideMiddle, room + 1)
-        painter.drawText(
-            QRectF(left + 2 * _GAP + _SAMPLE, y, room + 1, row),
-            Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-            text,
-        )
-    if len(shown_series) < len(series):
-        painter.setPen(QColor(colours().muted))
-        y = area.top() + len(shown_series) * row
-        painter.drawText(QRectF(left + _GAP, y, width, row), Qt.AlignmentFlag.AlignLeft, f"+ {len(series) - most + 1}")
-    return area.adjusted(0, 0, -width - _GAP, 0)
+    at, rest = legend.beside(area)
+    legend.draw(painter, at, [_pen(each) for each in series])
+    return rest
 
 
 def _draw_series(painter: QPainter, series: Series, place: object) -> None:

@@ -14,7 +14,7 @@ from bobdesk.ui.theme import colours
 _LIGHT, _DARK = (255, 247, 236), (179, 61, 20)
 _NIGHT_LIGHT, _NIGHT_DARK = (52, 46, 42), (255, 158, 92)
 _MARGIN, _GAP = 12, 8
-_WIDEST_LABEL = 260
+_WIDEST_LABEL, _NARROWEST_CELL, _WIDEST_CELL = 480, 56, 260
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,7 @@ class HeatMapLayout:
         texts = [cell.text for cell in self.map.cells.values()]
         texts += [line for lines in self.map.across for line in lines]
         widest = max((self._metrics.horizontalAdvance(text) for text in texts), default=0) + 18
-        return QSize(min(max(widest, 56), 170), self._metrics.height() + 14)
+        return QSize(min(max(widest, _NARROWEST_CELL), _WIDEST_CELL), self._metrics.height() + 14)
 
     @cached_property
     def _left(self) -> int:

@@ -122,7 +122,11 @@ def _word(label: str, axis: str, *, short: bool = False) -> str:
     if axis == "segments":
         if label == AUTOMATIC:
             return QCoreApplication.translate("StudyDrawings", "automatic")
-        return label if short else QCoreApplication.translate("StudyDrawings", "{count} segments").format(count=label)
+        if short:
+            return label
+        if label == "1":
+            return QCoreApplication.translate("StudyDrawings", "1 segment")
+        return QCoreApplication.translate("StudyDrawings", "{count} segments").format(count=label)
     if axis == "height_weight" and label:
         number = QLocale().toString(float(label), "g", 6)
         return number if short else f"b = {number}"

@@ -39,7 +39,7 @@ def draw_study(rows: Sequence[Sequence[str]], *, kind: str) -> bytes:
     from PySide6.QtCore import QRectF, QSize
 
     from bobdesk.track.study_pivot import curves, figures_in, labels_on
-    from bobdesk.ui.plots.chart import draw_chart
+    from bobdesk.ui.plots.chart import draw_chart, size_with_legend
     from bobdesk.ui.plots.heat_map import HeatMapLayout
     from bobdesk.ui.plots.study_drawings import chart, figure_titles, heat_map
     from bobdesk.ui.theme import on_paper
@@ -65,9 +65,10 @@ def draw_study(rows: Sequence[Sequence[str]], *, kind: str) -> bytes:
             if len(curves(rows, axis, figure)[0]) < 2:
                 continue
             drawn = chart(rows, axis, figure, title="")
-            area = QRectF(0, 0, *_CHART)
+            room = size_with_legend(drawn, font, QSize(*_CHART))
+            area = QRectF(0, 0, room.width(), room.height())
             parts.append((top, partial(draw_chart, whole=area, chart=drawn)))
-            top, wide = top + _CHART[1] + _MARGIN, max(wide, _CHART[0])
+            top, wide = top + room.height() + _MARGIN, max(wide, room.width())
     size = QSize(min(wide + _MARGIN, _LARGEST), min(top + _MARGIN, _LARGEST))
 
     def draw(painter: QPainter) -> None:

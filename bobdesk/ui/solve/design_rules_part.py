@@ -100,7 +100,8 @@ class DesignRulesPart(Part):
         self.model.refresh()
         self.sled.refresh(project)
         self.reset_button.setEnabled(project.rules is not None)
-        self.findings_button.setEnabled(self.later.value is not None and self.later.is_current)
+        self.save_button.setEnabled(bool(self._rules))
+        self.findings_button.setEnabled(bool(self.later.value) and self.later.is_current)
         self.summary.setText(self._summary(project))
         self._on_row()
 
@@ -126,6 +127,13 @@ class DesignRulesPart(Part):
         self.desk.notices.note(self.tr("Written to {name}.").format(name=path.name))
 
     def _summary(self, project: Project) -> str:
+        if not self._rules:
+            return self.tr(
+                "There are no rules in the list. Usual rules brings back those that come with BobDesk,"
+                " Add and Load… put in others."
+            )
+        if not any(rule.is_used for rule in self._rules):
+            return self.tr("No rule in the list is ticked: nothing is judged.")
         if project.run is None:
             return self.tr("There is no result yet to judge: solve first.")
         found: tuple[Finding, ...] | None = self.later.value
@@ -274,6 +282,7 @@ class DesignRulesPart(Part):
     def _on_row(self) -> None:
         row = self._row()
         self.remove_button.setEnabled(row is not None)
+        self.detail.setVisible(bool(self._rules))
         found = None if row is None else self.finding(row)
         if found is not None:
             self.detail.setText(self._words.sentence(found))

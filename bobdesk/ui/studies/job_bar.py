@@ -38,6 +38,7 @@ class JobBar(QWidget):
             row.addWidget(widget)
         row.addWidget(self.said, 1)
         self._icon = "run"
+        self._draw()
         self.show_idle(self.tr("Solve"), "")
 
     def show_idle(self, text: str, tip: str, *, enabled: bool = True) -> None:
@@ -73,8 +74,10 @@ class JobBar(QWidget):
         self.main_button.setAccessibleName(text)
         self.main_button.setToolTip(tip)
         self.main_button.setEnabled(enabled)
-        self._icon = icon_name
-        self._draw()
+        # Told of its state some ten times a second, it would spend more on drawing the same icon than the rows take.
+        if icon_name != self._icon:
+            self._icon = icon_name
+            self._draw()
 
     def _draw(self) -> None:
         self.main_button.setIcon(icon(self._icon, colours().on_accent))

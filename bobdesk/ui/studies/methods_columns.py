@@ -8,6 +8,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QCoreApplication
 
 from bobdesk.files.method_run import MethodResult
+from bobdesk.track.missed import MET_WITHIN, missed_text
 from bobdesk.ui.quantities import Quantities
 from bobdesk.ui.studies.rows_table import RowsColumn
 
@@ -39,6 +40,12 @@ def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -
     def whole(value: float) -> str:
         return unit.number(value, 0)
 
+    def verdict(result: MethodResult) -> str:
+        row = result.row
+        if row.verdict == "met":
+            return "✓ " + QCoreApplication.translate("MethodsColumns", "met")
+        return "! " + unit.sentence(missed_text(row.missed)) if row.missed else ""
+
     return (
         RowsColumn(
             lambda: QCoreApplication.translate("MethodsColumns", "Method"),
@@ -46,13 +53,22 @@ def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -
             title_of,
             is_number=False,
         ),
+        RowsColumn(
+            lambda: QCoreApplication.translate("MethodsColumns", "Targets"),
+            QCoreApplication.translate(
+                "MethodsColumns", "Whether the line meets the targets within {within} %, whatever its method says"
+            ).format(within=unit.short(100 * MET_WITHIN)),
+            verdict,
+            is_number=False,
+        ),
         number(
             QCoreApplication.translate("MethodsColumns", "Objective J"),
             QCoreApplication.translate(
-                "MethodsColumns", "The published objective, whatever the method itself makes small"
+                "MethodsColumns",
+                "The published objective, whatever the method itself makes small; it counts rises like falls",
             ),
             lambda result: result.row.objective,
-            lambda value: f"{value:.4g}".replace("-", "−"),
+            lambda value: unit.short(value, 4),
         ),
         number(
             QCoreApplication.translate("MethodsColumns", "Length %"),
@@ -94,7 +110,7 @@ def methods_columns(unit: Quantities, title_of: Callable[[MethodResult], str]) -
         ),
         RowsColumn(
             lambda: QCoreApplication.translate("MethodsColumns", "End"),
-            QCoreApplication.translate("MethodsColumns", "Why it ended"),
+            QCoreApplication.translate("MethodsColumns", "Why it ended, as the method sees it"),
             lambda result: result.row.message,
             is_number=False,
         ),

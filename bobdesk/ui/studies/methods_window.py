@@ -25,6 +25,7 @@ from bobdesk.ui.studies.beside_window import BesideWindow
 from bobdesk.ui.studies.icon_button import IconButton
 from bobdesk.ui.studies.method_titles import method_titles
 from bobdesk.ui.studies.methods_columns import methods_columns
+from bobdesk.ui.studies.methods_note import methods_note
 from bobdesk.ui.studies.rows_table import RowsModel, RowsTable
 from bobdesk.ui.studies.saving import save_file
 from bobdesk.ui.studies.wrapping_row import wrapping_row
@@ -137,6 +138,11 @@ class MethodsWindow(BesideWindow):
         self.table = RowsTable(self.tr("Methods side by side"), self.model, self)
         self.table.setMinimumHeight(150)
         self.table.fit_columns()
+        self.note = QLabel(self)
+        self.note.setProperty("kind", "muted")
+        self.note.setTextFormat(Qt.TextFormat.PlainText)
+        self.note.setWordWrap(True)
+        self.note.hide()
         self.shown = QComboBox(self)
         for text, key in (
             (self.tr("Elevation by station"), "elevation"),
@@ -167,6 +173,7 @@ class MethodsWindow(BesideWindow):
         column = QVBoxLayout(above)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.table, 1)
+        column.addWidget(self.note)
         column.addWidget(wrapping_row(above, (self.copy_button, self.save_button, self.take_button)))
         below = QWidget(self)
         column = QVBoxLayout(below)
@@ -266,7 +273,13 @@ class MethodsWindow(BesideWindow):
                 if chosen is not None and result.row.method == chosen.row.method:
                     self.table.choose(number)
         self.table.fit_columns()
+        self._show_note()
         self._on_row()
+
+    def _show_note(self) -> None:
+        text = methods_note(self.results, self.desk.quantities, self._title_of)
+        self.note.setText(text)
+        self.note.setVisible(bool(text))
 
     def _on_row(self) -> None:
         chosen = self.table.chosen
@@ -276,6 +289,7 @@ class MethodsWindow(BesideWindow):
     def _on_units(self) -> None:
         self.model.refresh()
         self.table.fit_columns()
+        self._show_note()
         self._draw()
 
     def _draw(self) -> None:

@@ -69,6 +69,10 @@ class RowsModel(HeadedModel):
         self._problem, self._dot = problem, dot
         self._rows: list[Row] = []
         self._sorted_by: tuple[int, Qt.SortOrder] | None = None
+        # What is sorted, with what it is sorted by, and the rows that have nothing of it: where 100,000 keep coming,
+        # each is asked once.
+        self._keyed: list[tuple[Any, Row]] = []
+        self._without: list[Row] = []
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -95,10 +99,12 @@ class RowsModel(HeadedModel):
         self._count = len(self._rows)
         self.endInsertRows()
         if self._sorted_by is not None:
-            self.sort(*self._sorted_by)
+            self._rearrange(lambda: self._among_others(rows))
 
     def refresh(self) -> None:
-        """Show the same rows in other units or colours."""
+        """Show the same rows in other units or colours; texts that they are sorted by may be others, too."""
+        if self._sorted_by is not None:
+            self.sort(*self._sorted_by)
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(self._columns) - 1)
         if self._count:
             self.dataChanged.emit(self.index(0, 0), self.index(self._count - 1, len(self._columns) - 1))
@@ -106,11 +112,15 @@ class RowsModel(HeadedModel):
     def sort(self, column: int, order: Qt.SortOrder = Qt.SortOrder.AscendingOrder) -> None:
         """Bring the rows into the order of a column; what is selected stays selected."""
         self._sorted_by = (column, order) if column >= 0 else None
+        self._rearrange(lambda: self._in_order(self._rows))
+
+    def _rearrange(self, ordered: Callable[[], list[Row]]) -> None:
         self.layoutAboutToBeChanged.emit()
         before = self.persistentIndexList()
         meant = [self._rows[index.row()] for index in before]
-        self._rows = self._in_order(self._rows)
-        at = {id(row): number for number, row in enumerate(self._rows)}
+        self._rows = ordered()
+        wanted = {id(row) for row in meant}
+        at = {id(row): number for number, row in enumerate(self._rows) if id(row) in wanted} if wanted else {}
         after = [self.index(at[id(row)], index.column()) for row, index in zip(meant, before, strict=True)]
         self.changePersistentIndexList(before, after)
         self.layoutChanged.emit()
@@ -144,13 +154,21 @@ class RowsModel(HeadedModel):
         return table_text([" ".join(cell.split()) for cell in line] for line in lines)
 
     def _in_order(self, rows: list[Row]) -> list[Row]:
-        if self._sorted_by is None:
-            return rows
+        self._keyed, self._without = [], []
+        return rows if self._sorted_by is None else self._among_others(rows)
+
+    def _among_others(self, rows: Sequence[Row]) -> list[Row]:
+        """Sort rows among those that are sorted already."""
+        assert self._sorted_by is not None
         column, order = self._columns[self._sorted_by[0]], self._sorted_by[1]
-        keyed: list[tuple[Any, Row]] = [(_sort_key(column, row), row) for row in rows]
-        there = [pair for pair in keyed if pair[0] is not None]
-        there.sort(key=itemgetter(0), reverse=order == Qt.SortOrder.DescendingOrder)
-        return [row for _, row in there] + [row for value, row in keyed if value is None]
+        for row in rows:
+            key = _sort_key(column, row)
+            if key is None:
+                self._without.append(row)
+            else:
+                self._keyed.append((key, row))
+        self._keyed.sort(key=itemgetter(0), reverse=order == Qt.SortOrder.DescendingOrder)
+        return [row for _, row in self._keyed] + self._without
 
 
 def _sort_key(column: RowsColumn, row: Row) -> Any:

@@ -14,7 +14,7 @@ from bobdesk.errors import InputError
 from bobdesk.files.solvers import solver_methods
 from bobdesk.solve.run import SolverMethod
 from bobdesk.solve.targets import KnownElevation
-from bobdesk.track.study_choices import NO_SET, check_size, counts_of, weights_of
+from bobdesk.track.study_choices import NO_SET, check_size, counts_of, known_set, set_name, weights_of
 from bobdesk.ui.widgets.typed_number import typed_number
 
 _NAME = "study"
@@ -114,8 +114,8 @@ def _sets(choice: StudyChoice) -> KnownSets:
     if choice.without_known or not lines:
         found[NO_SET] = ()
     for line in lines:
-        known = tuple(_known(part) for part in re.split(r"[;\s]+", line) if part)
-        found[" ".join(_named(each) for each in known)] = known
+        known = known_set(line, _known)
+        found[set_name(known)] = known
     return found
 
 
@@ -130,11 +130,6 @@ def _known(text: str) -> KnownElevation:
             f"known elevations are written STATION:ELEVATION in metres, such as 250:98.5, not '{text[:40]}'"
         )
     return KnownElevation(*numbers)
-
-
-def _named(known: KnownElevation) -> str:
-    numbers = [known.station, known.elevation, *([known.tolerance] if known.tolerance else [])]
-    return ":".join(f"{number:.10g}" for number in numbers)
 
 
 def to_text(choice: StudyChoice) -> str:

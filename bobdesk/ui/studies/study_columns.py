@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication
 
+from bobdesk.track.missed import MET_WITHIN
 from bobdesk.track.study_choices import NO_SET
 from bobdesk.track.study_pivot import Row, label_of, number_of, value_of
 from bobdesk.ui.plots.study_drawings import number_text
@@ -38,9 +39,8 @@ def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
 
     def status(row: Row) -> str:
         return {
-            "met": QCoreApplication.translate("StudyColumns", "met"),
-            "stopped": QCoreApplication.translate("StudyColumns", "stopped"),
-            "not met": QCoreApplication.translate("StudyColumns", "not met"),
+            "met": "✓ " + QCoreApplication.translate("StudyColumns", "met"),
+            "not met": "! " + unit.sentence(value_of(row, "missed")),
             "failed": QCoreApplication.translate("StudyColumns", "failed"),
         }.get(value_of(row, "status"), value_of(row, "status"))
 
@@ -108,7 +108,7 @@ def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
         ),
         figure(
             lambda: QCoreApplication.translate("StudyColumns", "Objective J"),
-            QCoreApplication.translate("StudyColumns", "The published objective"),
+            QCoreApplication.translate("StudyColumns", "The published objective; it counts rises like falls"),
             "objective",
             number_text,
         ),
@@ -144,12 +144,14 @@ def study_columns(unit: Quantities) -> tuple[RowsColumn, ...]:
         ),
         words(
             QCoreApplication.translate("StudyColumns", "Targets"),
-            QCoreApplication.translate("StudyColumns", "Whether the targets are met"),
+            QCoreApplication.translate(
+                "StudyColumns", "Whether the line meets the targets within {within} %, whatever its method says"
+            ).format(within=unit.short(100 * MET_WITHIN)),
             status,
         ),
         words(
             QCoreApplication.translate("StudyColumns", "End"),
-            QCoreApplication.translate("StudyColumns", "Why it ended"),
+            QCoreApplication.translate("StudyColumns", "Why it ended, as the method sees it"),
             lambda row: value_of(row, "message"),
         ),
     )

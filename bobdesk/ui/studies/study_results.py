@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from bobdesk.track.study_pivot import AXES, Row, is_failed, value_of
 from bobdesk.ui.desk import Desk
 from bobdesk.ui.newest import Newest
-from bobdesk.ui.plots.chart import draw_chart
+from bobdesk.ui.plots.chart import draw_chart, size_with_legend
 from bobdesk.ui.plots.chart_view import ChartView, HeatMapView
 from bobdesk.ui.plots.heat_map import HeatMap, HeatMapLayout
 from bobdesk.ui.plots.study_drawings import axis_titles, figure_titles
@@ -132,9 +132,9 @@ class StudyResults(QWidget):
             if isinstance(drawing, HeatMap):
                 laid_out = HeatMapLayout(drawing, picture_font())
                 return picture_bytes(laid_out.draw, laid_out.size, kind, sharpness=_SHARPNESS)
-            area = QRectF(0, 0, _CHART_SIZE.width(), _CHART_SIZE.height())
-            draw = partial(draw_chart, whole=area, chart=drawing)
-            return picture_bytes(draw, _CHART_SIZE, kind, sharpness=_SHARPNESS)
+            size = size_with_legend(drawing, picture_font(), _CHART_SIZE)
+            draw = partial(draw_chart, whole=QRectF(0, 0, size.width(), size.height()), chart=drawing)
+            return picture_bytes(draw, size, kind, sharpness=_SHARPNESS)
 
     @property
     def _figure_now(self) -> QComboBox:

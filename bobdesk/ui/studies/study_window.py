@@ -225,7 +225,8 @@ class StudyWindow(BesideWindow):
         self.results.show_rows(rows)
         failed = sum(is_failed(row) for row in rows)
         number = self.desk.quantities.number
-        self._ended = self.tr("All {count} rows are there.").format(count=number(len(rows), 0))
+        all_there = self.tr("All {count} rows are there.").format(count=number(len(rows), 0))
+        self._ended = self.tr("The row is there.") if len(rows) == 1 else all_there
         if failed:
             self._ended += " " + self.tr("Failed, with their reason: {count}.").format(count=number(failed, 0))
         if self._kept:

@@ -49,6 +49,31 @@ def test_without_a_result_it_says_so(part):
     assert not part.findings_button.isEnabled()
 
 
+def test_an_empty_list_says_how_the_rules_come_back(solved, part, desk, idle):
+    desk.session.apply("Load", lambda project: edits.set_rules(project, ()))
+    idle()
+    assert part.summary.text().startswith(
+        "There are no rules in the list. Usual rules brings back those that come with"
+    )
+    assert not part.detail.isVisible()
+    assert not part.save_button.isEnabled()
+    assert not part.findings_button.isEnabled()
+    part.reset_button.click()
+    idle()
+    assert part.model.rowCount() == len(usual_rules())
+    assert part.detail.isVisible()
+    assert part.save_button.isEnabled()
+    assert part.findings_button.isEnabled()
+
+
+def test_rules_of_which_none_is_ticked_say_so(solved, part, desk, idle):
+    rule = Rule("mine", "speed", None, 1.0, is_used=False)
+    desk.session.apply("Load", lambda project: edits.set_rules(project, (rule,)))
+    idle()
+    assert part.summary.text() == "No rule in the list is ticked: nothing is judged."
+    assert not part.findings_button.isEnabled()
+
+
 def test_rules_are_judged_and_say_their_source(solved, part):
     verdicts = [part.finding(row).verdict for row in range(part.model.rowCount())]
     assert "second hand" in part.summary.text()

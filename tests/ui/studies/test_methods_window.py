@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication
 from bobdesk.project import derive, edits
 from bobdesk.project.derive_runs import run_line, why_out_of_date
 from bobdesk.project.run_edits import take_over_run
+from bobdesk.solve.targets import KnownElevation
 from bobdesk.ui.studies import methods_window
 from bobdesk.ui.studies.methods_window import MethodsWindow
 
@@ -48,6 +49,23 @@ def test_every_method_is_a_row_with_a_curve_of_its_own_colour(compared):
     drop = compared.results[0].row.off.drop
     assert abs(drop) < 1e-6
     assert not compared.hint.isVisible()
+
+
+def test_a_row_says_whether_its_line_meets_the_targets(methods, desk, opened, until):
+    desk.session.apply("Known", lambda project: edits.add_known_elevation(project, KnownElevation(60.0, 1.0)))
+    drop = desk.session.project.targets.drop
+    desk.session.apply("Move", lambda project: edits.change_known_elevation(project, 0, KnownElevation(60.0, drop)))
+    methods.compare()
+    until(lambda: not methods.is_running)
+    rows = {result.row.method: row for row, result in enumerate(methods.model.rows)}
+    said = {key: methods.model.index(row, 1).data() for key, row in rows.items()}
+    assert said["pgd"] == said["slsqp"] == "✓ met"
+    assert said["published"].startswith("! ")
+    assert "known elevation at 60 m missed by" in said["published"]
+    assert methods.note.isVisible()
+    assert methods.note.text().endswith("it does not show what is missed of them by As published.")
+    desk.settings.length_unit = "ft"
+    assert "known elevation at 197 ft missed by" in methods.model.index(rows["published"], 1).data()
 
 
 def test_the_saved_table_is_the_one_that_the_command_writes(compared, opened, tmp_path):
@@ -114,7 +132,7 @@ def test_an_edit_after_the_comparison_is_said(compared, desk):
 def test_sorting_keeps_the_selection_and_copying_takes_the_order(compared):
     compared.table.choose(1)
     chosen = compared.table.chosen
-    compared.table.sortByColumn(6, Qt.SortOrder.DescendingOrder)
+    compared.table.sortByColumn(7, Qt.SortOrder.DescendingOrder)
     shown = [result.row.evaluations for result in compared.model.rows]
     assert shown == sorted(shown, reverse=True)
     assert compared.table.chosen is chosen
@@ -168,5 +186,5 @@ def test_a_method_that_cannot_do_it_is_a_row_that_says_why(methods, desk, until)
     row = [result.row.method for result in methods.model.rows].index("slsqp")
     methods.table.choose(row)
     assert not methods.take_button.isEnabled()
-    methods.table.sortByColumn(1, Qt.SortOrder.DescendingOrder)
+    methods.table.sortByColumn(2, Qt.SortOrder.DescendingOrder)
     assert methods.model.rows[-1].row.method == "slsqp"

@@ -124,6 +124,19 @@ def spin(qtbot) -> None:
         clock.start(400)
 
 
+def test_a_row_says_what_its_line_misses_whatever_its_method_says(study, until):
+    choose(study, counts="4", weights="1")
+    study.solve()
+    until(lambda: not study.is_running)
+    model = study.results.model
+    targets = [column.heading() for column in model.headed()].index("Targets")
+    pgd, other = study.results.rows
+    assert model.index(0, targets).data() == "✓ met"
+    assert (value_of(pgd, "status"), value_of(other, "status")) == ("met", "not met")
+    assert model.index(1, targets).data() == f"! {value_of(other, 'missed')}"
+    assert "% too short" in value_of(other, "missed")
+
+
 def test_a_cell_that_fails_is_a_row_with_its_reason(study, until):
     choose(study, counts="4, 900", methods=("pgd",))
     study.solve()
@@ -224,6 +237,15 @@ def test_numbers_are_read_with_the_signs_of_the_country():
     assert wanted_of(StudyChoice(methods=("published",), weights="0.5,1,1.5"), 1).weights == (0.5, 1.0, 1.5)
     with pytest.raises(InputError, match="weights such as"):
         wanted_of(StudyChoice(methods=("published",), weights="0,5; 1"), 1)
+
+
+def test_a_set_of_known_elevations_is_one_however_it_is_written():
+    wanted = wanted_of(StudyChoice(methods=("pgd",), known="100:5;200:3\n200:3; 100:5.0\nnone"), 1)
+    assert list(wanted.sets) == ["none", "100:5 200:3"]
+    assert wanted.cells_of(1) == 2
+    assert list(wanted_of(StudyChoice(methods=("pgd",), known="100.25:-5:0.5", without_known=False), 1).sets) == [
+        "100.25:-5:0.5"
+    ]
 
 
 def test_rows_that_keep_coming_are_drawn_on_the_way(study, until, held_at):
