@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QItemSelectionModel, QSignalBlocker
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
 
 from bobdesk.plan.control_points import ControlPoint
 from bobdesk.project import derive, edits
@@ -49,7 +49,7 @@ class ControlPointsPart(Part):
             flow, self.tr("Add point"), self.tr("Click a place whose coordinates are known"), "calibrate"
         )
         self.remove_button = panel.button(
-            flow, self.tr("Remove"), self.tr("Take the selected control point away"), "delete"
+            flow, self.tr("Remove"), self.tr("Take the selected control point away (Del)"), "delete"
         )
         self.load_button = panel.button(
             flow, self.tr("Load .points…"), self.tr("Take control points from a QGIS .points file"), "load"
@@ -57,6 +57,7 @@ class ControlPointsPart(Part):
         self.save_button = panel.button(
             flow, self.tr("Save .points…"), self.tr("Write the control points as a QGIS .points file"), "save"
         )
+        self.table.on_key(Qt.Key.Key_Delete, self.remove_button)
         add.clicked.connect(lambda: panel.tool_wanted.emit("calibrate"))
         self.remove_button.clicked.connect(self._actions.remove_selected)
         self.load_button.clicked.connect(self._actions.load_by_dialog)

@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any
 
+from PySide6.QtCore import Qt
+
 from bobdesk.errors import InputError
 from bobdesk.plan.control_points import KnownDistance
 from bobdesk.project.project import Project
@@ -79,8 +81,11 @@ class DistancesPart(Part):
         self.add_button.clicked.connect(lambda: panel.tool_wanted.emit(kind.tool))
         self.show_button = panel.button(flow, self.tr("Show"), self.tr("Show the selected distance in the plan"), "eye")
         self.show_button.clicked.connect(self._show_selected)
-        self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected distance away"), "delete")
+        self.remove_button = panel.button(
+            flow, self.tr("Remove"), self.tr("Take the selected distance away (Del)"), "delete"
+        )
         self.remove_button.clicked.connect(self._remove_selected)
+        self.table.on_key(Qt.Key.Key_Delete, self.remove_button)
         self.worst_box = NoticeBox(self)
         self.column.addWidget(self.worst_box)
         self.table.selectionModel().selectionChanged.connect(self._on_selected)

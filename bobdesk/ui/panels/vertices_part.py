@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, Qt
-from PySide6.QtGui import QKeySequence, QShortcut
 
 from bobdesk.arrays import BoolArray, FloatArray
 from bobdesk.plan.traced_line import Trace
@@ -46,11 +45,11 @@ class VerticesPart(Part):
         self.show_button = panel.button(
             flow, self.tr("Show"), self.tr("Show the selected vertices in the plan"), "fit-selection"
         )
-        self.delete_button = panel.button(flow, self.tr("Delete"), self.tr("Delete the selected vertices"), "delete")
+        self.delete_button = panel.button(
+            flow, self.tr("Delete"), self.tr("Delete the selected vertices (Del)"), "delete"
+        )
         self.delete_button.clicked.connect(self._delete_selected)
-        delete = QShortcut(QKeySequence(Qt.Key.Key_Delete), self.table)
-        delete.setContext(Qt.ShortcutContext.WidgetShortcut)
-        delete.activated.connect(self._delete_selected)
+        self.table.on_key(Qt.Key.Key_Delete, self.delete_button)
         self.table.selectionModel().selectionChanged.connect(self._on_rows_selected)
         self.model.modelReset.connect(self._select_rows)
         self.desk.selection.vertices_changed.connect(self._select_rows)

@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMenu
 
 from bobdesk.errors import InputError
@@ -56,7 +57,9 @@ class DesignRulesPart(Part):
         for quantity in QUANTITIES:
             menu.addAction(self._words.quantity(quantity), partial(self._on_add, quantity))
         self.add_button.setMenu(menu)
-        self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected rule away"), "minus")
+        self.remove_button = panel.button(
+            flow, self.tr("Remove"), self.tr("Take the selected rule away (Del)"), "minus"
+        )
         self.load_button = panel.button(flow, self.tr("Load…"), self.tr("Take rules from a JSON file"), "load")
         self.save_button = panel.button(
             flow,
@@ -74,6 +77,7 @@ class DesignRulesPart(Part):
         self.column.addWidget(self.sled_fold)
         self.sled = SledFields(panel, self.sled_fold.column)
         self.remove_button.clicked.connect(self._on_remove)
+        self.table.on_key(Qt.Key.Key_Delete, self.remove_button)
         self.load_button.clicked.connect(self._on_load)
         self.save_button.clicked.connect(self._on_save)
         self.findings_button.clicked.connect(self._on_save_findings)

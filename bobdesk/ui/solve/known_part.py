@@ -51,7 +51,9 @@ class KnownPart(Part):
             ),
             "plus",
         )
-        self.remove_button = panel.button(flow, self.tr("Remove"), self.tr("Take the selected elevation away"), "minus")
+        self.remove_button = panel.button(
+            flow, self.tr("Remove"), self.tr("Take the selected elevation away (Del)"), "minus"
+        )
         self.load_button = panel.button(
             flow,
             self.tr("Load CSV…"),
@@ -60,6 +62,7 @@ class KnownPart(Part):
         )
         self.add_button.clicked.connect(self._on_add)
         self.remove_button.clicked.connect(self._on_remove)
+        self.table.on_key(Qt.Key.Key_Delete, self.remove_button)
         self.load_button.clicked.connect(self._on_load)
         self.table.selectionModel().selectionChanged.connect(self._on_row)
         self.desk.quantities.changed.connect(self.model.refresh_headings)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Qt
-from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut
+from PySide6.QtGui import QGuiApplication, QKeySequence
 
 from bobdesk.project.project import Project
 from bobdesk.project.runs import Run
@@ -48,13 +48,8 @@ class RunsPart(Part):
         self.baseline_button.clicked.connect(self._on_baseline)
         self.copy_button.clicked.connect(self.copy)
         self.delete_button.clicked.connect(self._on_delete)
-        for key, do in (
-            (QKeySequence(Qt.Key.Key_Delete), self.delete_button.click),
-            (QKeySequence(QKeySequence.StandardKey.Copy), self.copy_button.click),
-        ):
-            shortcut = QShortcut(key, self.table)
-            shortcut.setContext(Qt.ShortcutContext.WidgetShortcut)
-            shortcut.activated.connect(do)
+        self.table.on_key(Qt.Key.Key_Delete, self.delete_button)
+        self.table.on_key(QKeySequence.StandardKey.Copy, self.copy_button)
         self.table.selectionModel().selectionChanged.connect(self._on_row)
         self.model.modelReset.connect(self._select_row)
         self.shown.changed.connect(self._on_shown)

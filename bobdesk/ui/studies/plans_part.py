@@ -66,7 +66,7 @@ class PlansPart(Part):
             flow, self.tr("Add files…"), self.tr("Add plans from files: coordinates or projects"), "plus"
         )
         self.remove_button = panel.button(
-            flow, self.tr("Remove"), self.tr("Take the selected file from the study"), "minus"
+            flow, self.tr("Remove"), self.tr("Take the selected file from the study (Del)"), "minus"
         )
         self.note = panel.add_label(
             self.tr("Files that are no projects need a length and a height difference; projects bring their own."),
@@ -75,6 +75,7 @@ class PlansPart(Part):
         )
         self.add_button.clicked.connect(self.ask_for_files)
         self.remove_button.clicked.connect(self._on_remove)
+        self.table.on_key(Qt.Key.Key_Delete, self.remove_button)
         self.table.selectionModel().selectionChanged.connect(self._on_row)
         # Told after every edit and every other document, too.
         self.desk.session.state_changed.connect(self._on_project)

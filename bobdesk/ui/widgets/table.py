@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QAbstractItemModel, QSize, Qt
-from PySide6.QtGui import QFontMetrics, QResizeEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtGui import QFontMetrics, QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QHeaderView, QTableView, QWidget
 
 _ROOM_IN_ROW = 8
 # Between the columns of a narrow table, pixels.
@@ -67,6 +67,12 @@ class Table(QTableView):
         for signal in (model.rowsInserted, model.rowsRemoved, model.modelReset):
             signal.connect(self._on_rows)
         self._fit_rows()
+
+    def on_key(self, key: QKeySequence | QKeySequence.StandardKey | Qt.Key, button: QAbstractButton) -> None:
+        """Let a key press a button while the table has the keyboard, and no cell of it is being edited."""
+        shortcut = QShortcut(QKeySequence(key), self)
+        shortcut.setContext(Qt.ShortcutContext.WidgetShortcut)
+        shortcut.activated.connect(button.click)
 
     def fit_columns(self, samples: tuple[str, ...], *, dispensable: tuple[int, ...] = ()) -> None:
         """Make each column as wide as its heading and a sample, so that widths never ask 20,000 rows.
