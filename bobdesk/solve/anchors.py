@@ -44,18 +44,20 @@ def anchors_of(targets: Targets, length: float, lowest: tuple[float, ...] = ()) 
     start = KnownElevation(0.0, targets.drop)
     end: KnownElevation | None = None
     inner: list[KnownElevation] = []
+    near_end = length - max(_NEAR_END * length, _NEAR_END_M)
     for item in known:
         if item.station <= SAME_STATION:
-            _refuse_other(item, start, "the start is at the drop")
-        elif item.station >= length - max(_NEAR_END * length, _NEAR_END_M):
-            end = replace(item, station=length)
+            _both(item, start, "the start is at the drop")
+        elif item.station >= near_end:
+            at_end = replace(item, station=length)
+            end = at_end if end is None else _both(at_end, end, "two elevations for the end")
         elif inner and item.station - inner[-1].station <= SAME_STATION:
-            _refuse_other(item, inner[-1], "two elevations for one station")
+            inner[-1] = _both(item, inner[-1], "two elevations for one station")
         else:
             inner.append(item)
     if end is None:
-        climbs = any(item.elevation <= 0 for item in targets.known if item in inner)
-        end = KnownElevation(length, 0.0, math.inf if climbs else 0.0)
+        is_behind_lowest = any(item.elevation <= 0 and SAME_STATION < item.station < near_end for item in targets.known)
+        end = KnownElevation(length, 0.0, math.inf if is_behind_lowest else 0.0)
     elif end.elevation > end.tolerance and not any(item.elevation <= item.tolerance for item in inner):
         raise TargetError(
             f"the end lies {end.elevation:g} m above the lowest point, so say where the lowest point is:"
@@ -107,8 +109,13 @@ def _check(item: KnownElevation, length: float) -> None:
         )
 
 
-def _refuse_other(item: KnownElevation, other: KnownElevation, why: str) -> None:
-    if abs(item.elevation - other.elevation) > item.tolerance + other.tolerance + 1e-9:
+def _both(item: KnownElevation, other: KnownElevation, why: str) -> KnownElevation:
+    """Return what two elevations for one place leave: all that lies within the tolerances of both."""
+    low = max(item.elevation - item.tolerance, other.elevation - other.tolerance)
+    high = min(item.elevation + item.tolerance, other.elevation + other.tolerance)
+    if low > high + 1e-9:
         raise TargetError(
             f"the elevation {item.elevation:g} m at {item.station:g} m contradicts {other.elevation:g} m: {why}"
         )
+    exact = [one for one in (other, item) if one.tolerance == 0]
+    return exact[0] if exact else replace(other, elevation=0.5 * (low + high), tolerance=0.5 * max(high - low, 0.0))

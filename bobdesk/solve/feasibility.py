@@ -16,6 +16,7 @@ from bobdesk.solve.envelope import cone_of
 from bobdesk.solve.pgd import find_scale, reach
 from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.targets import Targets
+from bobdesk.solve.tolerances import room_of_free_end
 
 _SAME_FIGURE = 0.02
 _DIGITISING = 1e-3
@@ -73,6 +74,7 @@ def feasibility(
         return Feasibility(False, as_sentence(str(error)), None, agreeing, plan)
     within = bool(shortest * (1 - 1e-7) <= targets.length <= longest * (1 + 1e-7))
     feasible = within or targets.unknown_scale
+    end = _about_the_end(targets, plan, scale)
     if targets.unknown_scale:
         sentence = (
             f"With a scale factor of {scale:.4f} on the plan all figures can be met: it is then"
@@ -86,9 +88,9 @@ def feasibility(
     elif targets.length < shortest:
         sentence = _too_short(targets, plan, shortest, agreeing)
     else:
-        sentence = _too_long(targets, settings, longest, agreeing)
+        higher = _longest_with_a_climb(centreline, segments, targets, settings)
+        sentence = _too_long(targets, settings, longest, agreeing, higher)
     doubt = _about_mean_gradient(targets, scale * plan)
-    end = _about_the_end(targets, plan, scale)
     sentence += doubt + end
     return Feasibility(feasible, sentence, (shortest, longest), agreeing, plan, doubt.strip(), end.strip())
 
@@ -122,12 +124,38 @@ def _too_short(targets: Targets, plan: float, shortest: float, scale: float | No
     )
 
 
-def _too_long(targets: Targets, settings: PgdSettings, longest: float, scale: float | None) -> str:
+def _longest_with_a_climb(
+    centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings
+) -> tuple[float, float] | None:
+    """Return the steepest end that a free one may have and the longest plausible length with it, m."""
+    room = room_of_free_end(targets, centreline.length)
+    if room is None:
+        return None
+    try:
+        longest = finish(reach(centreline, segments, targets, settings, scale=1.0, end=room[1]))[1]
+    except TargetError:
+        return None
+    return room[1], longest
+
+
+def _too_long(
+    targets: Targets,
+    settings: PgdSettings,
+    longest: float,
+    scale: float | None,
+    higher: tuple[float, float] | None,
+) -> str:
     under = targets.length - longest
+    climb = ""
+    if higher is not None and higher[1] > longest:
+        climb = (
+            f" That is with the smoothest course to the end, whose elevation is not known; with a climb to"
+            f" {higher[0]:.1f} m there the longest is {higher[1]:.2f} m."
+        )
     return (
         f"No plausible 3D line of this plan is as long as {targets.length:.2f} m: within the limits, and with"
         f" gradients that swing by at most {100 * settings.plausible:g} % about the smoothest profile, the longest"
-        f" is {longest:.2f} m, {under:.2f} m ({100 * under / targets.length:.2f} %) less."
+        f" is {longest:.2f} m, {under:.2f} m ({100 * under / targets.length:.2f} %) less.{climb}"
         f" Doubt the length, which may count a start or braking stretch that the plan leaves out, {_or_scale(scale)}."
     )
 
@@ -149,8 +177,8 @@ def _about_the_end(targets: Targets, plan: float, scale: float) -> str:
         return ""
     return (
         f" Nothing is known of the elevation of the end: behind the lowest point at {lowest.station:g} m the track may"
-        f" climb to {highest:.1f} m there. The result takes the smoothest course that meets the length; a known"
-        " elevation at the end would tell."
+        f" climb to {highest:.1f} m there. The result takes the smoothest course; a known elevation at the end"
+        " would tell."
     )
 
 

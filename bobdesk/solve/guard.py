@@ -9,13 +9,14 @@ import numpy as np
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
 from bobdesk.arrays import FloatArray
-from bobdesk.solve.anchors import anchors_of
-from bobdesk.solve.problem import Problem, make_problem
+from bobdesk.errors import TargetError
+from bobdesk.solve.anchors import anchors_of, stations_of
+from bobdesk.solve.problem import Problem, Ranges, make_problem
 from bobdesk.solve.settings import PgdSettings
-from bobdesk.solve.targets import Targets
+from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.solve.tolerances import settled
 
-_ROUNDS_OF_LOWEST = 12
+_ROUNDS = 24
 _BELOW = 1e-9
 
 
@@ -27,12 +28,25 @@ class Guard:
     ----------
     downhill
         Ranges of stations before a lowest point, in which the track may not climb.
+    uphill
+        Ranges in which it may not fall.
     held
         Stations held level at 0, where it must climb afterwards.
     """
 
-    downhill: tuple[tuple[float, float], ...] = ()
+    downhill: Ranges = ()
+    uphill: Ranges = ()
     held: tuple[float, ...] = ()
+
+    @property
+    def rounds(self) -> int:
+        """How many dips it was made against."""
+        return len(self.downhill) + len(self.uphill) + len(self.held)
+
+    def is_new(self, other: Guard) -> bool:
+        """Return whether it asks for what another one did not."""
+        mine, others = ({*one.downhill, *one.uphill, *one.held} for one in (self, other))
+        return not mine <= others
 
 
 def laid_out(
@@ -41,8 +55,8 @@ def laid_out(
     targets: Targets,
     settings: PgdSettings,
     scale: float,
-    guard: Guard,
     *,
+    guard: Guard,
     through: FloatArray | None = None,
     end: float | None = None,
 ) -> Problem:
@@ -72,25 +86,56 @@ def laid_out(
         longest_piece=settings.longest_piece,
         scale=scale,
         downhill=guard.downhill,
+        uphill=guard.uphill,
         through=through,
         level_out=settings.level_out,
     )
 
 
 def stronger_guard(problem: Problem, v: FloatArray, guard: Guard) -> Guard:
-    """Return a guard against the deepest dip of a profile below the lowest point, or the same one."""
+    """Return a guard against the deepest dip of a profile below the lowest point, or the same one if it has none.
+
+    Raises
+    ------
+    TargetError
+        If all guards were tried and it still dips, which would make the drop too large.
+    """
     dip = _deepest_dip(problem, problem.gradients(v))
-    rounds = len(guard.held) + len(guard.downhill)
-    if dip is None or rounds >= _ROUNDS_OF_LOWEST:
+    if dip is None:
         return guard
-    following = next(anchor for anchor in problem.anchors if anchor.station > dip)
-    if following.elevation == 0 and not any(start <= dip < end for start, end in guard.downhill):
-        return replace(guard, downhill=(*guard.downhill, (dip, following.station)))
-    return replace(guard, held=(*guard.held, dip))
+    ends = stations_of(problem.anchors)
+    index = int(np.searchsorted(ends, dip, side="right"))
+    before, after = problem.anchors[index - 1], problem.anchors[index]
+    inner = problem.profile.edges[(problem.profile.edges > before.station) & (problem.profile.edges < after.station)]
+    edge = float(inner[np.abs(inner - dip).argmin()]) if len(inner) else before.station
+    stretch = (before.station, after.station)
+    tried: list[Guard] = []
+    if after.elevation == 0:
+        tried.append(replace(guard, downhill=(*guard.downhill, (edge, after.station))))
+    if len(inner) and _can_touch_down(problem, before, after, edge):
+        tried.append(replace(guard, held=(*guard.held, edge)))
+    if before.elevation >= after.elevation:
+        tried.append(replace(guard, downhill=(*guard.downhill, stretch)))
+    else:
+        tried.append(replace(guard, uphill=(*guard.uphill, stretch)))
+    for stronger in tried:
+        if stronger.rounds <= _ROUNDS and stronger.is_new(guard):
+            return stronger
+    raise TargetError(
+        f"around {dip:.1f} m no profile was found that keeps the known elevations and lies nowhere below the lowest"
+        " point: doubt the elevations there, or where the lowest point is"
+    )
+
+
+def _can_touch_down(problem: Problem, before: KnownElevation, after: KnownElevation, edge: float) -> bool:
+    """Return whether the limits let a track lie at 0 between two anchors."""
+    fall = problem.scale * (edge - before.station) * problem.targets.max_gradient
+    climb = -problem.scale * (after.station - edge) * problem.targets.min_gradient
+    return before.elevation <= fall and after.elevation <= climb
 
 
 def _deepest_dip(problem: Problem, gradients: FloatArray) -> float | None:
-    """Return the break nearest to where the profile lies deepest below the lowest point, or None."""
+    """Return the station where the profile lies deepest below the lowest point, or None."""
     if problem.targets.min_gradient >= 0:
         return None
     falls = problem.scale * problem.profile.falls(gradients, problem.edge_gradients)
@@ -98,7 +143,4 @@ def _deepest_dip(problem: Problem, gradients: FloatArray) -> float | None:
     row = int(elevations.argmin())
     if elevations[row] >= -max(_BELOW, 1e-12 * problem.targets.drop):
         return None
-    inner = problem.profile.edges[1:-1]
-    if len(inner) == 0:
-        return None
-    return float(inner[np.abs(inner - problem.profile.stations[row]).argmin()])
+    return float(problem.profile.stations[row])

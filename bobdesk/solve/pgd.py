@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Generator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Generator
+from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -19,20 +20,18 @@ from bobdesk.solve.projection import Projection
 from bobdesk.solve.settings import PgdSettings
 from bobdesk.solve.stages import (
     LENGTH_TOLERANCE,
-    Reach,
     Result,
     Tally,
-    reachable_lengths,
+    longest_line,
+    shortest_line,
     smoothest_profile,
     solve_stages,
 )
 from bobdesk.solve.targets import Targets
-from bobdesk.solve.tolerances import room_of_free_end
 
 _ROUNDS_OF_SCALE = 20
 _PASSES = 3
 _SPIKE = 0.002
-_CLOSE_ENDS = 0.05
 
 
 def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings | None = None) -> Run:
@@ -50,84 +49,23 @@ def pgd(centreline: Centreline, segments: Segments, targets: Targets, settings: 
     """
     settings = settings or PgdSettings()
     tally = Tally()
-    solved = yield from _solved(centreline, segments, targets, settings, tally, None)
-    if not solved.result.met and settings.meet_length and not targets.unknown_scale:
-        solved = yield from _with_another_end(centreline, segments, targets, settings, tally, solved)
-    problem, result, settings = solved.problem, solved.result, solved.settings
-    yield _last(problem, result, tally)
-    return _solution(problem, result, settings, tally)
-
-
-@dataclass(frozen=True, eq=False)
-class _Solved:
-    problem: Problem
-    result: Result
-    settings: PgdSettings
-
-
-def _solved(
-    centreline: Centreline,
-    segments: Segments,
-    targets: Targets,
-    settings: PgdSettings,
-    tally: Tally,
-    end: float | None,
-) -> Generator[Iterate, None, _Solved]:
-    """Solve until no profile dips, the transitions at known elevations are smooth, and the scale is found."""
-    guard = Guard()
-    scale = 1.0
-    through: FloatArray | None = None
-    passes = 0
-    while True:
-        problem = laid_out(centreline, segments, targets, settings, scale, guard, through=through, end=end)
+    scale = _first_scale(centreline, targets) if targets.unknown_scale else 1.0
+    work = _Refining()
+    while not work.done:
+        lay_out = partial(laid_out, centreline, segments, targets, settings, guard=work.guard, through=work.through)
         if targets.unknown_scale:
-            problem = yield from _with_scale(problem, settings, tally)
+            problem = yield from _with_scale(lay_out, scale, settings, tally)
             scale = problem.scale
+        else:
+            problem = lay_out(scale)
         result = yield from solve_stages(problem, settings, tally)
         if targets.unknown_scale and settings.typical_swing > 0 and not result.met:
             # The limits leave no room for the swing that tracks have: the smoothest profile it is.
             settings = replace(settings, typical_swing=0.0)
             continue
-        stronger = stronger_guard(problem, result.v, guard)
-        if stronger != guard:
-            guard, through = stronger, None
-            continue
-        smoother = _through_anchors(problem, problem.gradients(result.v))
-        passes += 1
-        if passes > _PASSES or np.abs(smoother - problem.edge_gradients[: len(smoother)]).max(initial=0.0) < _SPIKE:
-            return _Solved(problem, result, settings)
-        through = smoother[problem.profile.held]
-
-
-def _with_another_end(
-    centreline: Centreline,
-    segments: Segments,
-    targets: Targets,
-    settings: PgdSettings,
-    tally: Tally,
-    smoothest: _Solved,
-) -> Generator[Iterate, None, _Solved]:
-    """Move a free end away from its smoothest course by as little as the length asks for, if that meets it."""
-    near = smoothest.problem.anchors[-1].elevation
-    length = smoothest.problem.length_of(smoothest.problem.gradients(smoothest.result.v))[0]
-    room = room_of_free_end(targets, centreline.length)
-    if room is None:
-        return smoothest
-    far = room[1] if length < targets.length else room[0]
-    found = smoothest
-    while abs(far - near) > _CLOSE_ENDS:
-        end = far if found is smoothest else 0.5 * (near + far)
-        try:
-            tried = yield from _solved(centreline, segments, targets, settings, tally, end)
-        except TargetError:
-            tried = smoothest
-        if tried.result.met:
-            found, far = tried, end
-        elif found is smoothest:
-            break
-        else:
-            near = end
-    return found
+        work.look(problem, result.v)
+    yield _last(problem, result, tally)
+    return _solution(problem, result, settings, tally)
 
 
 def _through_anchors(problem: Problem, gradients: FloatArray) -> FloatArray:
@@ -146,45 +84,60 @@ def _through_anchors(problem: Problem, gradients: FloatArray) -> FloatArray:
 
 
 def reach(
-    centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings, *, scale: float
+    centreline: Centreline,
+    segments: Segments,
+    targets: Targets,
+    settings: PgdSettings,
+    *,
+    scale: float,
+    end: float | None = None,
 ) -> Generator[Iterate, None, tuple[float, float]]:
     """Find the shortest and the longest plausible length that keep drop, limits and elevations, m.
 
-    A free end may lie anywhere for that.
+    Parameters
+    ----------
+    end
+        Elevation that a free end is held at, m; None for the smoothest course, as a run has it.
 
     Raises
     ------
     TargetError
         If no profile keeps those.
     """
-    low, high = yield from _reach(centreline, segments, targets, settings, scale, None)
-    for end in room_of_free_end(targets, centreline.length, scale=scale) or ():
-        try:
-            others = yield from _reach(centreline, segments, targets, settings, scale, end)
-        except TargetError:
-            continue
-        low, high = min(low, others[0]), max(high, others[1])
-    return low, high
+    found = []
+    for line in (shortest_line, longest_line):
+        # Both go through what a run goes through; a guard against dips of the one would narrow the other.
+        work = _Refining()
+        while not work.done:
+            problem = laid_out(
+                centreline, segments, targets, settings, scale, guard=work.guard, through=work.through, end=end
+            )
+            v = yield from line(problem, settings)
+            work.look(problem, v)
+        found.append(problem.length_of(problem.gradients(v))[0])
+    return found[0], max(found)
 
 
-def _reach(
-    centreline: Centreline,
-    segments: Segments,
-    targets: Targets,
-    settings: PgdSettings,
-    scale: float,
-    end: float | None,
-) -> Generator[Iterate, None, tuple[float, float]]:
-    guard = Guard()
-    low: float | None = None
-    while True:
-        problem = laid_out(centreline, segments, targets, settings, scale, guard, end=end)
-        found: Reach = yield from reachable_lengths(problem, settings)
-        low = found.low if low is None else low
-        stronger = stronger_guard(problem, found.longest, guard)
-        if stronger == guard:
-            return low, max(found.high, low)
-        guard = stronger
+class _Refining:
+    """What is learnt from one solution for the next: where it dips, and how it passes the known elevations."""
+
+    def __init__(self) -> None:
+        self.guard = Guard()
+        self.through: FloatArray | None = None
+        self.done = False
+        self._passes = 0
+
+    def look(self, problem: Problem, v: FloatArray) -> None:
+        """Decide whether a solution, (p,), can stay."""
+        stronger = stronger_guard(problem, v, self.guard)
+        if stronger != self.guard:
+            self.guard, self.through = stronger, None
+            return
+        smoother = _through_anchors(problem, problem.gradients(v))
+        self._passes += 1
+        apart = np.abs(smoother - problem.edge_gradients[: len(smoother)]).max(initial=0.0)
+        self.done = bool(self._passes > _PASSES or apart < _SPIKE)
+        self.through = smoother[problem.profile.held]
 
 
 def find_scale(
@@ -197,18 +150,34 @@ def find_scale(
     TargetError
         If no profile keeps drop, limits and known elevations.
     """
-    start = max(targets.length - targets.drop, 0.1 * targets.length) / centreline.length
-    problem = laid_out(centreline, segments, targets, settings, start, Guard())
-    found = yield from _with_scale(problem, settings, Tally())
+    lay_out = partial(laid_out, centreline, segments, targets, settings, guard=Guard())
+    found = yield from _with_scale(lay_out, _first_scale(centreline, targets), settings, Tally())
     return found.scale
 
 
-def _with_scale(problem: Problem, settings: PgdSettings, tally: Tally) -> Generator[Iterate, None, Problem]:
+def _first_scale(centreline: Centreline, targets: Targets) -> float:
+    """Return the factor on the plan with which one even gradient would meet length and drop.
+
+    Swings make the true one a little smaller. A smaller guess makes all stretches steeper than they are, and refuses
+    what can be met.
+    """
+    return math.sqrt(targets.length**2 - targets.drop**2) / centreline.length
+
+
+def _with_scale(
+    lay_out: Callable[[float], Problem], scale: float, settings: PgdSettings, tally: Tally
+) -> Generator[Iterate, None, Problem]:
     """Find the factor on the plan at which the smoothest profile, with a typical swing, has the length."""
     swung = 0.5 * settings.typical_swing**2 if settings.meet_length else 0.0
+    problem = lay_out(scale)
     target = problem.targets.length / (1 + swung)
     for _ in range(_ROUNDS_OF_SCALE):
-        project = Projection(problem.feasible_set)
+        try:
+            project = Projection(problem.feasible_set)
+        except TargetError:
+            # At this scale a stretch is too steep for transitions; another layout leaves them out there.
+            problem = lay_out(problem.scale)
+            project = Projection(problem.feasible_set)
         first = yield from smoothest_profile(problem, project, settings, tally)
         gradients = problem.gradients(first.v)
         length = problem.length_of(gradients)[0]

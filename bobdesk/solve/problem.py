@@ -9,7 +9,7 @@ import numpy as np
 
 from bobdesk.alignment.centreline import Centreline
 from bobdesk.alignment.segments import Segments
-from bobdesk.arrays import FloatArray, IntArray
+from bobdesk.arrays import BoolArray, FloatArray, IntArray
 from bobdesk.errors import TargetError
 from bobdesk.solve.anchors import Anchors, elevations_of, gradients_through, stations_of
 from bobdesk.solve.length import LengthOf
@@ -18,6 +18,7 @@ from bobdesk.solve.projection import FeasibleSet
 from bobdesk.solve.targets import Targets
 
 _LONGEST_LEVEL_OUT = 0.25
+Ranges = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +38,8 @@ class Problem:
         The elevations that are held, from the start to the end, in running order.
     scale
         Factor on the plan.
-    downhill
-        Ranges of stations in which the track may not climb, whatever the limits.
+    downhill, uphill
+        Ranges of stations in which the track may not climb, or not fall, whatever the limits.
     through : (a-2,) or None
         Gradients at the inner anchors where they are known better than from the anchors alone.
     level_out
@@ -49,7 +50,8 @@ class Problem:
     targets: Targets
     anchors: Anchors
     scale: float = 1.0
-    downhill: tuple[tuple[float, float], ...] = ()
+    downhill: Ranges = ()
+    uphill: Ranges = ()
     through: FloatArray | None = None
     level_out: float = 0.0
 
@@ -72,6 +74,12 @@ class Problem:
         if through is None:
             through = gradients_through(self.anchors, scale=self.scale, level_at_lowest=self.climbs)
         given[np.flatnonzero(self.profile.held)] = through
+        if self.downhill or self.uphill:
+            # Where a track may not climb up to a known elevation, nor fall behind it, it passes level.
+            low, high = self.lowest_gradients, self.highest_gradients
+            inner = slice(len(self.profile.held))
+            least, most = np.maximum(low[:-1], low[1:]), np.minimum(high[:-1], high[1:])
+            given[inner] = np.where(self.profile.held, np.clip(given[inner], least, most), given[inner])
         return given
 
     @property
@@ -93,11 +101,19 @@ class Problem:
     @cached_property
     def lowest_gradients(self) -> FloatArray:
         """Smallest gradient that each piece may have, (p,)."""
-        lowest = np.full(len(self.piece_lengths), self.targets.min_gradient)
+        return np.where(self._lies_in(self.downhill), max(0.0, self.targets.min_gradient), self.targets.min_gradient)
+
+    @cached_property
+    def highest_gradients(self) -> FloatArray:
+        """Largest gradient that each piece may have, (p,)."""
+        return np.where(self._lies_in(self.uphill), min(0.0, self.targets.max_gradient), self.targets.max_gradient)
+
+    def _lies_in(self, ranges: Ranges) -> BoolArray:
         middles = 0.5 * (self.profile.edges[1:] + self.profile.edges[:-1])
-        for start, end in self.downhill:
-            lowest[(middles > start) & (middles < end)] = max(0.0, self.targets.min_gradient)
-        return lowest
+        found = np.zeros(len(middles), dtype=np.bool_)
+        for start, end in ranges:
+            found |= (middles > start) & (middles < end)
+        return found
 
     @cached_property
     def tapers(self) -> FloatArray:
@@ -124,7 +140,7 @@ class Problem:
             stretch_of=self.stretch_of,
             falls=-np.diff(elevations_of(self.anchors)) - given,
             low=self.lowest_gradients * self.roots,
-            high=self.targets.max_gradient * self.roots,
+            high=self.highest_gradients * self.roots,
             mean_weights=None if wanted is None else self.mean_shares / self.roots,
             mean=0.0 if wanted is None else wanted,
         )
@@ -162,7 +178,8 @@ def make_problem(
     transition: float = 0.0,
     longest_piece: float | None = None,
     scale: float = 1.0,
-    downhill: tuple[tuple[float, float], ...] = (),
+    downhill: Ranges = (),
+    uphill: Ranges = (),
     through: FloatArray | None = None,
     level_out: float = 0.0,
 ) -> Problem:
@@ -182,7 +199,7 @@ def make_problem(
         profile = make_profile(
             centreline, segments, breaks=breaks, kinks=kinks, transition=transition, longest_piece=longest_piece
         )
-        return Problem(profile, targets, anchors, scale, downhill, through, level_out)
+        return Problem(profile, targets, anchors, scale, downhill, uphill, through, level_out)
 
     problem = laid_out(())
     tight = _stretches_out_of_reach(problem)

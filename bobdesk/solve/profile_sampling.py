@@ -110,17 +110,26 @@ def sample_profiles(
     elevations = np.tile(_well_inside(bounds)[:, None], (1, count))
     random = np.random.default_rng(seed)
     steps = len(cells) * (_STEPS_A_CELL if most is None else _STEPS_A_SMOOTH_CELL)
-    fixed = np.flatnonzero(high - low <= _NOTHING)
-    spans = [(int(a), int(b)) for a, b in zip(fixed, [*fixed[1:], len(at)], strict=True) if b - a > 1]
-    # A span for each station inside one, so that long spans are moved more often.
-    span_of = [span for span in spans for _ in range(span[1] - span[0] - 1)]
-    for number in range(steps if spans else 0):
+    held = high - low <= _NOTHING
+    span_of = _spans(np.flatnonzero(held), len(at))
+    if most is None and (narrow := np.flatnonzero(~held & np.isfinite(high - low))).size:
+        # Hardly anything moves that takes a station with a small tolerance along, so half of the moves leave them out.
+        between = _spans(np.flatnonzero(held | np.isfinite(high - low)), len(at))
+        span_of = [*span_of, *between, *([(station - 1, station + 1) for station in narrow.tolist()])]
+        steps *= 2
+    for number in range(steps if span_of else 0):
         if number % _STEPS_A_REPORT == 0:
             yield Progress(number / steps, "profiles at random")
         start, end = span_of[int(random.integers(len(span_of)))]
         first, last = _window(random, start + 1, end - 1, smooth=most is not None)
         _moved(elevations, first, _direction(random, last - first + 1), bounds, random)
     return Bundle(at, elevations.T)
+
+
+def _spans(held: IntArray, total: int) -> list[tuple[int, int]]:
+    """Return the held stations on both sides of each that is not, so that long spans are moved more often."""
+    spans = [(int(a), int(b)) for a, b in zip(held, [*held[1:], total], strict=True) if b - a > 1]
+    return [span for span in spans for _ in range(span[1] - span[0] - 1)]
 
 
 def _window(random: np.random.Generator, first: int, last: int, *, smooth: bool) -> tuple[int, int]:

@@ -100,7 +100,7 @@ class Swings:
             stretch_of=problem.stretch_of[self._starts],
             falls=np.zeros(len(feasible.falls)),
             low=np.minimum(np.maximum.reduceat(problem.lowest_gradients - smoothest, self._starts), 0.0) * self._roots,
-            high=np.maximum(np.minimum.reduceat(problem.targets.max_gradient - smoothest, self._starts), 0.0)
+            high=np.maximum(np.minimum.reduceat(problem.highest_gradients - smoothest, self._starts), 0.0)
             * self._roots,
             mean_weights=None
             if feasible.mean_weights is None

@@ -48,16 +48,6 @@ class Result:
     at_plausible_edge: bool
 
 
-@dataclass(frozen=True, eq=False)
-class Reach:
-    """Shortest and longest plausible length, m, with their profiles in the solvers' variables."""
-
-    low: float
-    high: float
-    shortest: FloatArray
-    longest: FloatArray
-
-
 def solve_stages(
     problem: Problem, settings: PgdSettings, tally: Tally | None = None
 ) -> Generator[Iterate, None, Result]:
@@ -208,21 +198,24 @@ def _swung(
     return last
 
 
-def reachable_lengths(problem: Problem, settings: PgdSettings) -> Generator[Iterate, None, Reach]:
-    """Find the shortest and the longest plausible line of the feasible set."""
+def shortest_line(problem: Problem, settings: PgdSettings) -> Generator[Iterate, None, FloatArray]:
+    """Find the shortest line of the feasible set; return it in the solvers' variables, (p,)."""
     tally = Tally()
     project = Projection(problem.feasible_set)
     first = yield from smoothest_profile(problem, project, settings, tally)
-    shortest = yield from _shortest(problem, project, first.v, settings, tally)
-    low = problem.length_of(problem.gradients(shortest.v))[0]
+    return (yield from _shortest(problem, project, first.v, settings, tally)).v
+
+
+def longest_line(problem: Problem, settings: PgdSettings) -> Generator[Iterate, None, FloatArray]:
+    """Find the longest plausible line of the feasible set; return it in the solvers' variables, (p,)."""
+    tally = Tally()
+    first = yield from smoothest_profile(problem, Projection(problem.feasible_set), settings, tally)
     smooth = problem.length_of(problem.gradients(first.v))[0]
     # To second order a swing of root mean square r lengthens the line by r²/2.
     swung = 0.5 * settings.plausible**2 * float(problem.piece_lengths.sum())
     longest = yield from _lengthened(problem, first, settings, tally, smooth + _OVERSHOOT * swung)
     high = problem.length_of(problem.gradients(longest.v))[0]
-    if high < smooth:
-        return Reach(low, smooth, shortest.v, first.v)
-    return Reach(low, high, shortest.v, longest.v)
+    return first.v if high < smooth else longest.v
 
 
 def swing_of(problem: Problem, v: FloatArray, smoothest: FloatArray) -> float:

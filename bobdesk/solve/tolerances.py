@@ -12,6 +12,8 @@ from bobdesk.arrays import FloatArray
 from bobdesk.solve.anchors import Anchors, anchors_of, elevations_of, last_before_a_free_end, stations_of
 from bobdesk.solve.targets import Targets
 
+_NOTHING = 1e-9
+
 
 def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchors:
     """Return the anchors with each elevation moved within its tolerance, none of them free any more.
@@ -21,9 +23,28 @@ def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchor
     which the drop would be too small; where nothing within the tolerances suits the limits, the others
     stay too, and the sentence about the stretch says so.
     """
-    low, high = _rooms(anchors)
     if not any(anchor.tolerance for anchor in anchors):
         return anchors
+    found = None
+    for low, high in _rooms(anchors):
+        found = _smoothest(anchors, targets, low, high, scale)
+        if found is not None:
+            break
+    else:
+        low, high = _rooms(anchors)[0]
+        found = np.clip(elevations_of(anchors), low, high)
+    # What the optimiser leaves of 0 is 0: a lowest point is looked for by that.
+    moved = np.where(np.abs(found) < _NOTHING, 0.0, found)
+    return tuple(
+        replace(anchor, elevation=float(at), tolerance=anchor.tolerance if math.isfinite(anchor.tolerance) else 0.0)
+        for anchor, at in zip(anchors, moved, strict=True)
+    )
+
+
+def _smoothest(
+    anchors: Anchors, targets: Targets, low: FloatArray, high: FloatArray, scale: float
+) -> FloatArray | None:
+    """Return the elevations within bounds whose mean gradients change least, (a,); None if the limits forbid all."""
     lengths = scale * np.diff(stations_of(anchors))
     given = np.clip(elevations_of(anchors), low, high)
     # Mean gradients and their changes, as matrices on the elevations.
@@ -44,11 +65,7 @@ def settled(anchors: Anchors, targets: Targets, *, scale: float = 1.0) -> Anchor
         constraints=[LinearConstraint(means, targets.min_gradient, targets.max_gradient)],
         options={"maxiter": 500, "ftol": 1e-12},
     )
-    moved = np.clip(found.x, low, high) if found.success else given
-    return tuple(
-        replace(anchor, elevation=float(at), tolerance=anchor.tolerance if math.isfinite(anchor.tolerance) else 0.0)
-        for anchor, at in zip(anchors, moved, strict=True)
-    )
+    return np.clip(found.x, low, high) if found.success else None
 
 
 def room_of_free_end(targets: Targets, length: float, *, scale: float = 1.0) -> tuple[float, float] | None:
@@ -69,13 +86,19 @@ def room_of_free_end(targets: Targets, length: float, *, scale: float = 1.0) -> 
     return min(max(before.elevation, lowest), highest), highest
 
 
-def _rooms(anchors: Anchors) -> tuple[FloatArray, FloatArray]:
-    """Return the lowest and highest elevation that each anchor may be held at, (a,), (a,), m."""
+def _rooms(anchors: Anchors) -> list[tuple[FloatArray, FloatArray]]:
+    """Return the lowest and highest elevation that each anchor may be held at, (a,), (a,), m, the likeliest first.
+
+    There is a pair for each anchor that may be the lowest point, which is then held at 0.
+    """
     tolerances = np.array([anchor.tolerance for anchor in anchors])
     low = np.maximum(elevations_of(anchors) - tolerances, 0.0)
     high = elevations_of(anchors) + tolerances
     reach_down = [index for index in range(len(anchors)) if low[index] == 0]
-    if reach_down:
-        lowest = min(reach_down, key=lambda index: (anchors[index].elevation, anchors[index].tolerance))
-        high[lowest] = 0.0
-    return low, high
+    rooms = []
+    for lowest in sorted(reach_down, key=lambda index: (anchors[index].elevation, anchors[index].tolerance)):
+        rooms.append((low, high.copy()))
+        rooms[-1][1][lowest] = 0.0
+        if anchors[lowest].tolerance == 0:
+            break
+    return rooms or [(low, high)]
