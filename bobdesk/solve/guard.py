@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,8 +14,9 @@ from bobdesk.errors import TargetError
 from bobdesk.solve.anchors import anchors_of, stations_of
 from bobdesk.solve.problem import Problem, Ranges, make_problem
 from bobdesk.solve.settings import PgdSettings
+from bobdesk.solve.smoothness import Smoothness, smoothest_without_limits
 from bobdesk.solve.targets import KnownElevation, Targets
-from bobdesk.solve.tolerances import settled
+from bobdesk.solve.tolerances import room_of_free_end, settled
 
 _ROUNDS = 24
 _BELOW = 1e-9
@@ -75,21 +77,43 @@ def laid_out(
         If limits, drop and known elevations contradict each other.
     """
     anchors = settled(anchors_of(targets, centreline.length, guard.held), targets, scale=scale)
-    if end is not None:
-        anchors = (*anchors[:-1], replace(anchors[-1], elevation=end))
-    return make_problem(
-        centreline,
-        segments,
-        targets,
-        anchors,
-        transition=settings.transition,
-        longest_piece=settings.longest_piece,
-        scale=scale,
-        downhill=guard.downhill,
-        uphill=guard.uphill,
-        through=through,
-        level_out=settings.level_out,
-    )
+
+    def with_end(elevation: float) -> Problem:
+        return make_problem(
+            centreline,
+            segments,
+            targets,
+            (*anchors[:-1], replace(anchors[-1], elevation=elevation)),
+            transition=settings.transition,
+            longest_piece=settings.longest_piece,
+            scale=scale,
+            downhill=guard.downhill,
+            uphill=guard.uphill,
+            through=through,
+            level_out=settings.level_out,
+        )
+
+    if end is None and targets.segments_mean is not None:
+        room = room_of_free_end(targets, centreline.length, scale=scale)
+        if room is not None and room[0] < room[1]:
+            end = _smoothest_end(with_end, *room)
+    return with_end(anchors[-1].elevation if end is None else end)
+
+
+def _smoothest_end(with_end: Callable[[float], Problem], low: float, high: float) -> float:
+    """Return the elevation of a free end with which a profile of the wanted mean gradient is smoothest, m.
+
+    The mean over the segments asks for a climb where they are short. Without limits the smoothness of the best profile
+    is a parabola over the elevation of the end.
+    """
+    ends = low + (high - low) * np.array([0.25, 0.5, 0.75])
+    values = []
+    for end in ends.tolist():
+        problem = with_end(end)
+        values.append(Smoothness(problem)(smoothest_without_limits(problem))[0])
+    bend, slope, _ = np.polyfit(ends, values, 2)
+    best = -0.5 * slope / bend if bend > 0 else ends[int(np.argmin(values))]
+    return float(np.clip(best, low, high))
 
 
 def stronger_guard(problem: Problem, v: FloatArray, guard: Guard) -> Guard:

@@ -71,3 +71,23 @@ def test_a_climb_that_the_length_would_need_is_named_and_not_made_up():
 def test_an_end_that_contradicts_the_limits_is_refused():
     with pytest.raises(TargetError, match="must fall by"):
         line_of(targets(KnownElevation(track()[0].length, 0.16 * BEHIND)))
+
+
+def test_a_mean_over_the_segments_moves_the_end_where_it_must():
+    # Above, the end climbs by what the smoothest profile of that mean does; held level, there is none.
+    centreline, segments = made(1, curves=8)
+    plan = centreline.length
+    lowest = KnownElevation(0.8 * plan, 0.0)
+
+    def wanted(*known):
+        return Targets(696.0, 0.08 * plan, 0.04, "segments", known=(lowest, *known))
+
+    with pytest.raises(TargetError, match="mean of the segments"):
+        finish(pgd(centreline, segments, wanted(KnownElevation(plan, 0.0))))
+    free = wanted()
+    assert feasibility(centreline, segments, free).feasible
+    line = make_centreline3d(centreline, segments, finish(pgd(centreline, segments, free)))
+    assert line.slope_lengths[-1] == pytest.approx(696.0, rel=1e-6)
+    assert line.segment_gradients.mean() == pytest.approx(0.04, abs=1e-6)
+    assert line.elevations.min() == pytest.approx(0.0, abs=1e-6)
+    assert 2.0 < line.elevations[-1] < 0.2 * 0.2 * plan
