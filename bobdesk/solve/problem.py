@@ -36,6 +36,8 @@ class Problem:
         The targets.
     anchors
         The elevations that are held, from the start to the end, in running order.
+    boundaries : (s+1,)
+        Stations at which the segments begin, and the last one ends, in the plan's own scale, m.
     scale
         Factor on the plan.
     downhill, uphill
@@ -49,6 +51,7 @@ class Problem:
     profile: Profile
     targets: Targets
     anchors: Anchors
+    boundaries: FloatArray
     scale: float = 1.0
     downhill: Ranges = ()
     uphill: Ranges = ()
@@ -135,20 +138,27 @@ class Problem:
         weights = self.scale * np.asarray(falls.by_piece.sum(axis=0)) / self.roots
         given = self.scale * (falls.by_edge @ self.edge_gradients)
         wanted = self.targets.segments_mean
+        by_row = self._shares_of_rows
         return FeasibleSet(
             weights=weights,
             stretch_of=self.stretch_of,
             falls=-np.diff(elevations_of(self.anchors)) - given,
             low=self.lowest_gradients * self.roots,
             high=self.highest_gradients * self.roots,
-            mean_weights=None if wanted is None else self.mean_shares / self.roots,
-            mean=0.0 if wanted is None else wanted,
+            mean_weights=None if wanted is None else self.profile.falls.by_piece.T @ by_row / self.roots,
+            mean=0.0 if wanted is None else wanted - float(by_row @ (self.profile.falls.by_edge @ self.edge_gradients)),
         )
 
     @cached_property
-    def mean_shares(self) -> FloatArray:
-        """Share of each piece in the mean of the segments' gradients, (p,)."""
-        return mean_shares(self.profile)
+    def _shares_of_rows(self) -> FloatArray:
+        """Share of the fall from each row to the next in the mean of the segments' gradients, (n-1,), 1/m.
+
+        Of the elevations at the segments' boundaries, as they follow from the rows: transitions and pieces that a known
+        elevation has cut let these differ from the gradients of the pieces.
+        """
+        counted = np.interp(self.profile.stations, self.boundaries, np.linspace(0, 1, len(self.boundaries)))
+        shares: FloatArray = np.diff(counted) / np.diff(self.profile.stations)
+        return shares
 
     def gradients(self, v: FloatArray) -> FloatArray:
         """Return the gradients of the pieces, (p,), from the solvers' variables."""
@@ -194,12 +204,13 @@ def make_problem(
         If a stretch cannot be met at all; the sentence names it with numbers.
     """
     breaks = tuple(anchor.station for anchor in anchors[1:-1])
+    boundaries = np.array([segments[0].start, *(segment.end for segment in segments)])
 
     def laid_out(kinks: tuple[float, ...]) -> Problem:
         profile = make_profile(
             centreline, segments, breaks=breaks, kinks=kinks, transition=transition, longest_piece=longest_piece
         )
-        return Problem(profile, targets, anchors, scale, downhill, uphill, through, level_out)
+        return Problem(profile, targets, anchors, boundaries, scale, downhill, uphill, through, level_out)
 
     problem = laid_out(())
     tight = _stretches_out_of_reach(problem)

@@ -166,6 +166,9 @@ def _remade(method: str, row: PublishedRow, centreline: Centreline, segments: Se
             line = make_centreline3d(centreline, segments, solution)
     except (InputError, TargetError) as error:
         return Remade(method, None, math.nan, math.nan, str(error))
-    # Of the gradients themselves: boundaries between two rows would blur those of a line by some 1e-5.
-    mean = float(mean_shares(solution.profile) @ solution.gradients)
-    return Remade(method, figures(line), mean, solution.scale, solution.message)
+    found = figures(line)
+    mean = found.mean_gradient_segments
+    if method == "published":
+        # Of the gradients themselves, as the paper has them: boundaries between two rows blur those of a line.
+        mean = float(mean_shares(solution.profile) @ solution.gradients)
+    return Remade(method, found, mean, solution.scale, solution.message)

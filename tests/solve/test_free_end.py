@@ -11,6 +11,7 @@ from bobdesk.solve.pgd import pgd
 from bobdesk.solve.targets import KnownElevation, Targets
 from bobdesk.solve.tolerances import room_of_free_end
 from bobdesk.track.centreline3d import make_centreline3d
+from bobdesk.track.figures import figures
 from tests.solve.made_plans import made
 
 BEHIND = 120.0
@@ -88,6 +89,6 @@ def test_a_mean_over_the_segments_moves_the_end_where_it_must():
     assert feasibility(centreline, segments, free).feasible
     line = make_centreline3d(centreline, segments, finish(pgd(centreline, segments, free)))
     assert line.slope_lengths[-1] == pytest.approx(696.0, rel=1e-6)
-    assert line.segment_gradients.mean() == pytest.approx(0.04, abs=1e-6)
+    assert figures(line).mean_gradient_segments == pytest.approx(0.04, abs=1e-6)
     assert line.elevations.min() == pytest.approx(0.0, abs=1e-6)
     assert 2.0 < line.elevations[-1] < 0.2 * 0.2 * plan
