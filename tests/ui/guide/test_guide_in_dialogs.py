@@ -6,9 +6,7 @@ from PySide6.QtWidgets import QDialogButtonBox
 
 from bobdesk.ui.dialogs.import_coordinates.dialog import ImportDialog
 from bobdesk.ui.dialogs.preferences import PreferencesDialog
-from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.resources import resource
-from bobdesk.ui.settings import Settings
 from bobdesk.ui.solve.preset_dialog import PresetDialog
 
 MADE = {
@@ -17,16 +15,6 @@ MADE = {
     # The parent is a part deep in the window, as it is for the button that opens this one.
     "presets": lambda window: PresetDialog(window.desk.quantities, window.centralWidget()),
 }
-
-
-@pytest.fixture
-def window(qtbot, tmp_path):
-    made = MainWindow(Settings(tmp_path / "settings.ini"), tmp_path / "data")
-    made.show()
-    qtbot.waitExposed(made)
-    yield made
-    made.leave()
-    made.deleteLater()
 
 
 @pytest.mark.parametrize(

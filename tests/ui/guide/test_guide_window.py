@@ -12,7 +12,6 @@ from bobdesk.files.project_file import load_project
 from bobdesk.ui.guide.find import GuideFinder, words_of
 from bobdesk.ui.guide.guide_window import GuideWindow
 from bobdesk.ui.guide.pages import Page, keep_units, read_pages, slug
-from bobdesk.ui.main_window import MainWindow
 from bobdesk.ui.questions import Questions
 from bobdesk.ui.resources import resource
 from bobdesk.ui.settings import Settings
@@ -34,16 +33,6 @@ def guide(qtbot, pages, tmp_path):
     qtbot.waitExposed(made)
     yield made
     made.close()
-    made.deleteLater()
-
-
-@pytest.fixture
-def window(qtbot, tmp_path):
-    made = MainWindow(Settings(tmp_path / "settings.ini"), tmp_path / "data")
-    made.show()
-    qtbot.waitExposed(made)
-    yield made
-    made.leave()
     made.deleteLater()
 
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
+from pytestqt.qtbot import QtBot
 
 from bobdesk.project import edits
 from bobdesk.project.project import Project
 from bobdesk.solve.settings import SolverSettings
 from bobdesk.ui.desk import Desk
+from bobdesk.ui.panels.solve_panel import SolvePanel
 from bobdesk.ui.solving import Solving, solving_of
 from tests.project.made_projects import ready_project
 
@@ -48,3 +50,14 @@ def solving(desk: Desk) -> Solving:
 def idle(desk: Desk, until: Callable[[Callable[[], bool]], None]) -> Callable[[], None]:
     """Return a function that waits for all background work."""
     return lambda: until(lambda: not desk.runner.jobs)
+
+
+@pytest.fixture
+def panel(desk: Desk, opened: Project, qtbot: QtBot, idle: Callable[[], None]) -> SolvePanel:
+    """The panel of the step Solve with that project, shown."""
+    made = SolvePanel(desk)
+    qtbot.addWidget(made)
+    made.resize(430, 1200)
+    made.show()
+    idle()
+    return made

@@ -8,17 +8,6 @@ from PySide6.QtCore import QLocale, Qt
 from bobdesk.errors import InputError
 from bobdesk.project import edits
 from bobdesk.project.project import TargetSet
-from bobdesk.ui.panels.solve_panel import SolvePanel
-
-
-@pytest.fixture
-def panel(desk, opened, qtbot, idle):
-    made = SolvePanel(desk)
-    qtbot.addWidget(made)
-    made.resize(430, 1200)
-    made.show()
-    idle()
-    return made
 
 
 def entered(qtbot, field, text):

@@ -10,7 +10,6 @@ from bobdesk.files import plugins
 from bobdesk.project import edits
 from bobdesk.solve.run import solve
 from bobdesk.solve.settings import SolverSettings
-from bobdesk.ui.panels.solve_panel import SolvePanel
 
 _MODULE = """
 from dataclasses import replace
@@ -51,16 +50,6 @@ def _installed(tmp_path, monkeypatch):
     yield
     plugins._loaded.cache_clear()
     sys.modules.pop("coasting_plugin", None)
-
-
-@pytest.fixture
-def panel(desk, opened, qtbot, idle):
-    made = SolvePanel(desk)
-    qtbot.addWidget(made)
-    made.resize(430, 1200)
-    made.show()
-    idle()
-    return made
 
 
 def choose(panel, text):

@@ -6,21 +6,10 @@ from PySide6.QtGui import QGuiApplication
 from bobdesk.project import derive, edits
 from bobdesk.project.project import ActualTrack
 from bobdesk.solve.settings import SolverSettings
-from bobdesk.ui.panels.solve_panel import SolvePanel
 from bobdesk.ui.solve.preset_dialog import PresetDialog
 from bobdesk.ui.solve.presets import presets
 from bobdesk.ui.theme import apply_theme
 from bobdesk.ui.widgets.typed_number import typed_number
-
-
-@pytest.fixture
-def panel(desk, opened, qtbot, idle):
-    made = SolvePanel(desk)
-    qtbot.addWidget(made)
-    made.resize(430, 1200)
-    made.show()
-    idle()
-    return made
 
 
 def type_into(qtbot, field, text):
