@@ -100,16 +100,19 @@ def laid_out(
     return with_end(anchors[-1].elevation if end is None else end)
 
 
-def _smoothest_end(with_end: Callable[[float], Problem], low: float, high: float) -> float:
+def _smoothest_end(with_end: Callable[[float], Problem], low: float, high: float) -> float | None:
     """Return the elevation of a free end with which a profile of the wanted mean gradient is smoothest, m.
 
     The mean over the segments asks for a climb where they are short. Without limits the smoothness of the best profile
-    is a parabola over the elevation of the end.
+    is a parabola over the elevation of the end. None where a guard lets the line climb no more behind its lowest point.
     """
     ends = low + (high - low) * np.array([0.25, 0.5, 0.75])
     values = []
     for end in ends.tolist():
-        problem = with_end(end)
+        try:
+            problem = with_end(end)
+        except TargetError:
+            return None
         values.append(Smoothness(problem)(smoothest_without_limits(problem))[0])
     bend, slope, _ = np.polyfit(ends, values, 2)
     best = -0.5 * slope / bend if bend > 0 else ends[int(np.argmin(values))]
