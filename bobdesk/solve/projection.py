@@ -12,6 +12,7 @@ from bobdesk.errors import TargetError
 _STEPS = 200
 _CLOSE = 1e-14
 _BARELY = 1e-7
+_NEWTON_STEPS = 6
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,7 +63,8 @@ class Projection:
     falls apart into one continuous knapsack each: v = clip(w + multiplier * weights, low, high),
     where the multiplier is the root of a monotone, piecewise linear function. All stretches are
     solved at once by Newton's method inside a bracket. A mean over all pieces adds one multiplier
-    around them, the root of a monotone function again.
+    around them, the root of a monotone function again; most often the pieces at their limits are
+    nearly those of the last projection, and all multipliers are found at once.
     """
 
     def __init__(self, feasible: FeasibleSet) -> None:
@@ -72,6 +74,8 @@ class Projection:
         self._squares = feasible.weights**2
         self._to_low, self._to_high = feasible.low / feasible.weights, feasible.high / feasible.weights
         self._mean_multiplier = 0.0
+        self._last = np.array(0.5 * (feasible.low + feasible.high))
+        self._multipliers = np.zeros(len(feasible.falls))
         lowest, highest = feasible.reach()
         slack = 1e-9 * np.maximum(1.0, np.abs(feasible.falls))
         if (feasible.falls < lowest - slack).any() or (feasible.falls > highest + slack).any():
@@ -88,7 +92,11 @@ class Projection:
         """
         if self._set.mean_weights is None:
             return self._knapsacks(point)
-        return self._with_mean(point, self._set.mean_weights)
+        projected = self._from_the_last(point, self._set.mean_weights)
+        if projected is None:
+            projected = self._with_mean(point, self._set.mean_weights)
+        self._last = projected
+        return projected
 
     def _sum(self, values: FloatArray) -> FloatArray:
         return np.add.reduceat(values, self._starts)
@@ -132,6 +140,46 @@ class Projection:
             moved = projected + (residual / power)[self._set.stretch_of] * share / weights
             projected = np.minimum(np.maximum(moved, low), high)
         return projected
+
+    def _from_the_last(self, point: FloatArray, mean_weights: FloatArray) -> FloatArray | None:
+        """Solve for all multipliers at once, with the pieces free that were free the last time.
+
+        A method's points lie close together, and so do the pieces at their limits. Newton's method on
+        all equations is not safe from afar, but what it finds is tried against every equation.
+        """
+        weights, low, high, stretch = self._set.weights, self._set.low, self._set.high, self._set.stretch_of
+        exact = _CLOSE * (1.0 + np.abs(self._falls))
+        close = 1e4 * exact  # what polishing takes out
+        mean_close = 1e-13 * max(1.0, abs(self._set.mean))
+        projected, multipliers = self._last, self._multipliers
+        free = (projected > low) & (projected < high)
+        for _ in range(_NEWTON_STEPS):
+            freed = np.where(free, weights, 0.0)
+            tied = np.where(free, mean_weights, 0.0)
+            held = np.where(free, point, projected)
+            squares, cross = self._sum(freed * freed), self._sum(freed * tied)
+            moves = squares > 0
+            squares[~moves] = 1.0
+            missing = self._falls - self._sum(weights * held)
+            curvature = float(tied @ tied - cross @ (cross / squares))
+            if curvature <= 1e-12 * float(tied @ tied):
+                return None
+            of_mean = (self._set.mean - float(mean_weights @ held) - float(cross @ (missing / squares))) / curvature
+            # A stretch with all its pieces at their limits moves no equation: its multiplier stays.
+            multipliers = np.where(moves, (missing - of_mean * cross) / squares, multipliers)
+            unclipped = point + multipliers[stretch] * weights + of_mean * mean_weights
+            projected = np.minimum(np.maximum(unclipped, low), high)
+            residual = np.abs(self._falls - self._sum(weights * projected))
+            if (residual <= close).all():
+                solved = projected if (residual <= exact).all() else self._polished(projected)
+                residual = np.abs(self._falls - self._sum(weights * solved))
+                if (residual <= exact).all() and abs(float(mean_weights @ solved) - self._set.mean) <= mean_close:
+                    self._mean_multiplier, self._multipliers = of_mean, multipliers
+                    return solved
+            free = projected == unclipped
+            stuck = (residual > close) & (self._sum(free.astype(np.float64)) == 0)
+            free |= stuck[stretch]
+        return None
 
     def _with_mean(self, point: FloatArray, mean_weights: FloatArray) -> FloatArray:
         """Find the multiplier of the mean: bracket it by doubling, then regula falsi (Illinois)."""

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -101,6 +103,28 @@ def test_it_never_moves_two_points_apart_and_leaves_the_set_alone(feasible, seed
     first, second = project(one), project(two)
     assert np.linalg.norm(first - second) <= np.linalg.norm(one - two) * (1 + 1e-9)
     np.testing.assert_allclose(project(first), first, rtol=0, atol=1e-8)
+
+
+@FEW
+@given(sets, st.integers(0, 1000), st.sampled_from([1e-3, 0.1, 1.0, 30.0]), st.booleans())
+def test_what_was_projected_before_does_not_matter(feasible, seed, step, cornered):
+    rng = np.random.default_rng(seed)
+    if cornered and len(feasible.falls) > 1:  # a stretch that the limits alone decide
+        corner = feasible.stretch_of == 0
+        falls = np.r_[feasible.reach()[0][0], feasible.falls[1:]]
+        inside = Projection(replace(feasible, falls=falls, mean_weights=None))(np.zeros(len(feasible.low)))
+        np.testing.assert_allclose(inside[corner], feasible.low[corner], rtol=1e-9)
+        mean = float(feasible.mean_weights @ inside) if feasible.mean_weights is not None else 0.0
+        feasible = replace(feasible, falls=falls, mean=mean)
+    project = Projection(feasible)
+    point = rng.standard_normal(len(feasible.low))
+    for _ in range(12):
+        point = point + step * rng.standard_normal(len(point))
+        projected = project(point)
+        sums = np.bincount(feasible.stretch_of, feasible.weights * projected)
+        np.testing.assert_allclose(sums, feasible.falls, rtol=1e-12, atol=1e-12)
+        assert kkt_violation(feasible, point, projected) < 1e-7
+        np.testing.assert_allclose(projected, Projection(feasible)(point), rtol=0, atol=1e-8)
 
 
 @pytest.mark.parametrize("mean", [False, True])
