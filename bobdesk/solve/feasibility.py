@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,14 +14,16 @@ from bobdesk.progress import finish
 from bobdesk.sentences import as_sentence
 from bobdesk.solve.anchors import anchors_of, last_before_a_free_end
 from bobdesk.solve.envelope import cone_of
-from bobdesk.solve.pgd import find_scale, reach
+from bobdesk.solve.iterates import Iterate
+from bobdesk.solve.pgd import find_scale, pgd, reach
 from bobdesk.solve.settings import PgdSettings
-from bobdesk.solve.targets import Targets
+from bobdesk.solve.targets import Targets, check_targets
 from bobdesk.solve.tolerances import room_of_free_end
 
 _SAME_FIGURE = 0.02
 _DIGITISING = 1e-3
 _WORTH_SAYING = 0.05
+_CLOSE_TO_AN_END = 0.2
 
 
 @dataclass(frozen=True)
@@ -59,7 +62,14 @@ class Feasibility:
 def feasibility(
     centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings | None = None
 ) -> Feasibility:
-    """Find out whether the targets can be met together; takes about as long as a run."""
+    """Find out whether a run meets the targets together; takes about as long as one or two runs.
+
+    Raises
+    ------
+    InputError
+        If a figure is unusable by itself.
+    """
+    check_targets(targets)
     settings = settings or PgdSettings()
     plan = centreline.length
     scale = 1.0
@@ -69,7 +79,7 @@ def feasibility(
             return Feasibility(False, _without_scale(centreline, segments, targets, settings), None, None, plan)
         scale = agreeing
     try:
-        shortest, longest = finish(reach(centreline, segments, targets, settings, scale=scale))
+        shortest, longest = _reachable(centreline, segments, targets, settings, scale)
     except TargetError as error:
         return Feasibility(False, as_sentence(str(error)), None, agreeing, plan)
     within = bool(shortest * (1 - 1e-7) <= targets.length <= longest * (1 + 1e-7))
@@ -93,6 +103,30 @@ def feasibility(
     doubt = _about_mean_gradient(targets, scale * plan)
     sentence += doubt + end
     return Feasibility(feasible, sentence, (shortest, longest), agreeing, plan, doubt.strip(), end.strip())
+
+
+def _reachable(
+    centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings, scale: float
+) -> tuple[float, float]:
+    """Return the shortest and the longest length, m, between which the wanted one lies if, and only if, a run meets it.
+
+    Close to their ends, and where dips below the lowest point have to be avoided, the run itself is asked.
+    """
+    found = finish(reach(centreline, segments, targets, settings, scale=scale))
+    shortest, longest = found.shortest, found.longest
+    margin = _CLOSE_TO_AN_END * (longest - shortest)
+    from_an_end = min(abs(targets.length - shortest), abs(targets.length - longest))
+    between = shortest < targets.length < longest
+    if targets.unknown_scale or not (from_an_end < margin or (found.guarded and between)):
+        return shortest, longest
+    iterates: deque[Iterate] = deque(maxlen=1)
+    solution = finish(pgd(centreline, segments, targets, settings), iterates.append)
+    if solution.status == 0:
+        return min(shortest, targets.length), max(longest, targets.length)
+    met = iterates[-1].length
+    if met < targets.length:
+        return min(shortest, met), met
+    return met, max(longest, met)
 
 
 def _scale_that_agrees(
@@ -132,7 +166,7 @@ def _longest_with_a_climb(
     if room is None:
         return None
     try:
-        longest = finish(reach(centreline, segments, targets, settings, scale=1.0, end=room[1]))[1]
+        longest = finish(reach(centreline, segments, targets, settings, scale=1.0, end=room[1])).longest
     except TargetError:
         return None
     return room[1], longest

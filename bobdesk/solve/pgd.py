@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Generator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -83,6 +83,24 @@ def _through_anchors(problem: Problem, gradients: FloatArray) -> FloatArray:
     return smoother
 
 
+@dataclass(frozen=True)
+class Reach:
+    """The lengths that a plan can have under drop, limits and known elevations.
+
+    Attributes
+    ----------
+    shortest, longest
+        3D length, m; the longest is where gradients begin to swing implausibly.
+    guarded
+        True if one of the two lines had to be kept from dipping below the lowest point. What lies between them may
+        dip elsewhere, so that a run need not meet each length.
+    """
+
+    shortest: float
+    longest: float
+    guarded: bool
+
+
 def reach(
     centreline: Centreline,
     segments: Segments,
@@ -91,8 +109,8 @@ def reach(
     *,
     scale: float,
     end: float | None = None,
-) -> Generator[Iterate, None, tuple[float, float]]:
-    """Find the shortest and the longest plausible length that keep drop, limits and elevations, m.
+) -> Generator[Iterate, None, Reach]:
+    """Find the shortest and the longest plausible length that keep drop, limits and elevations.
 
     Parameters
     ----------
@@ -105,6 +123,7 @@ def reach(
         If no profile keeps those.
     """
     found = []
+    guarded = False
     for line in (shortest_line, longest_line):
         # Both go through what a run goes through; a guard against dips of the one would narrow the other.
         work = _Refining()
@@ -115,7 +134,8 @@ def reach(
             v = yield from line(problem, settings)
             work.look(problem, v)
         found.append(problem.length_of(problem.gradients(v))[0])
-    return found[0], max(found)
+        guarded |= work.guard != Guard()
+    return Reach(found[0], max(found), guarded)
 
 
 class _Refining:

@@ -97,7 +97,9 @@ def check_targets(targets: Targets) -> Targets:
         )
     if targets.mean_gradient is not None:
         if not abs(targets.mean_gradient) <= STEEPEST_GRADIENT:
-            raise InputError(f"the mean gradient must lie between -2 and 2, not {targets.mean_gradient:g}")
+            raise InputError(
+                f"the mean gradient must lie between -2 and 2 (0.1 is 10 %), not {targets.mean_gradient:g}"
+            )
         check_mean_gradient(targets.mean_gradient, targets.mean_gradient_is)
     for known in targets.known:
         if not (math.isfinite(known.station) and math.isfinite(known.elevation)):

@@ -157,3 +157,28 @@ def test_an_end_of_which_nothing_is_known_is_named_with_how_far_it_may_climb():
     assert not found((length - 100.0, 0.0), (length, 7.0)).open_end
     assert not found((length - 100.0, 0.0), min_gradient=0.0).open_end
     assert not found((length - 100.0, 6.0)).open_end
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize(
+    "tail",
+    [
+        (),
+        ((0.46, 0.5, 2.0), (0.55, 0.0, 0.0), (1.0, 3.0, 0.0)),
+        ((0.7, 0.02, 0.0), (0.71, 0.5, 0.0), (0.78, 1.5, 0.0), (0.9, 0.0, 0.05)),
+    ],
+    ids=["nothing known", "a dip and a climb", "a flat tail with small elevations"],
+)
+def test_what_it_says_of_a_length_is_what_a_run_does(seed, tail):
+    centreline, segments = made(seed, curves=6)
+    plan = centreline.length
+    known = tuple(KnownElevation(share * plan, elevation, tolerance) for share, elevation, tolerance in tail)
+    first = feasibility(centreline, segments, Targets(1.005 * plan, 0.08 * plan, known=known))
+    low, high = first.reachable_length
+    for share in (-0.1, 0.02, 0.3, 0.6, 0.9, 0.98, 1.03, 1.1, 1.4):
+        targets = Targets(low + share * (high - low), 0.08 * plan, known=known)
+        solution = finish(pgd(centreline, segments, targets))
+        found = feasibility(centreline, segments, targets)
+        assert found.feasible == (solution.status == 0), (share, solution.message)
+        if tail == () and 0 <= share <= 1:
+            assert found.feasible
