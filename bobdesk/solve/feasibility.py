@@ -33,7 +33,7 @@ class Feasibility:
     Attributes
     ----------
     feasible
-        True if all can be met.
+        True if a run meets all.
     sentence
         What a person should know, with numbers.
     reachable_length
@@ -79,17 +79,19 @@ def feasibility(
             return Feasibility(False, _without_scale(centreline, segments, targets, settings), None, None, plan)
         scale = agreeing
     try:
-        shortest, longest = _reachable(centreline, segments, targets, settings, scale)
+        shortest, longest, ends_at = _reachable(centreline, segments, targets, settings, scale)
     except TargetError as error:
         return Feasibility(False, as_sentence(str(error)), None, agreeing, plan)
     within = bool(shortest * (1 - 1e-7) <= targets.length <= longest * (1 + 1e-7))
-    feasible = within or targets.unknown_scale
+    feasible = (within and ends_at is None) or targets.unknown_scale
     end = _about_the_end(targets, plan, scale)
     if targets.unknown_scale:
         sentence = (
             f"With a scale factor of {scale:.4f} on the plan all figures can be met: it is then"
             f" {scale * plan:.2f} m long in plan."
         )
+    elif ends_at is not None:
+        sentence = _missed(targets, shortest, longest, ends_at)
     elif within:
         sentence = (
             "These figures can all be met: with this plan the length can lie between"
@@ -107,8 +109,8 @@ def feasibility(
 
 def _reachable(
     centreline: Centreline, segments: Segments, targets: Targets, settings: PgdSettings, scale: float
-) -> tuple[float, float]:
-    """Return the shortest and the longest length, m, between which the wanted one lies if, and only if, a run meets it.
+) -> tuple[float, float, float | None]:
+    """Return the shortest and the longest length, m, and where a run ends that misses a length between them, or None.
 
     Close to their ends, and where dips below the lowest point have to be avoided, the run itself is asked.
     """
@@ -118,15 +120,12 @@ def _reachable(
     from_an_end = min(abs(targets.length - shortest), abs(targets.length - longest))
     between = shortest < targets.length < longest
     if targets.unknown_scale or not (from_an_end < margin or (found.guarded and between)):
-        return shortest, longest
+        return shortest, longest, None
     iterates: deque[Iterate] = deque(maxlen=1)
     solution = finish(pgd(centreline, segments, targets, settings), iterates.append)
-    if solution.status == 0:
-        return min(shortest, targets.length), max(longest, targets.length)
-    met = iterates[-1].length
-    if met < targets.length:
-        return min(shortest, met), met
-    return met, max(longest, met)
+    ends_at = targets.length if solution.status == 0 else iterates[-1].length
+    missed = between and solution.status != 0
+    return min(shortest, ends_at), max(longest, ends_at), ends_at if missed else None
 
 
 def _scale_that_agrees(
@@ -155,6 +154,18 @@ def _too_short(targets: Targets, plan: float, shortest: float, scale: float | No
         f"No 3D line of this plan is as short as {targets.length:.2f} m: {held} the shortest is {shortest:.2f} m,"
         f" {over:.2f} m ({100 * over / targets.length:.2f} %) more, since the plan alone is {plan:.2f} m long."
         f" Doubt the length, which may be measured in plan or be rounded, {_or_scale(scale)}.{small}"
+    )
+
+
+def _missed(targets: Targets, shortest: float, longest: float, ends_at: float) -> str:
+    """Say that a run does not find what may well exist."""
+    off = abs(ends_at - targets.length)
+    way = "more" if ends_at > targets.length else "less"
+    return (
+        f"Lines of this plan can be {shortest:.2f} m to {longest:.2f} m long, but none of {targets.length:.2f} m was"
+        " found that swings plausibly, keeps the known elevations and lies nowhere below the lowest point: a run ends"
+        f" at {ends_at:.2f} m, {off:.2f} m ({100 * off / targets.length:.2f} %) {way}. Doubt the length, or the"
+        " elevations known around the lowest point."
     )
 
 

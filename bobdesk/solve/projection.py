@@ -74,7 +74,7 @@ class Projection:
         self._squares = feasible.weights**2
         self._to_low, self._to_high = feasible.low / feasible.weights, feasible.high / feasible.weights
         self._mean_multiplier = 0.0
-        self._last = np.array(0.5 * (feasible.low + feasible.high))
+        self._last = 0.5 * (feasible.low + feasible.high)
         self._multipliers = np.zeros(len(feasible.falls))
         lowest, highest = feasible.reach()
         slack = 1e-9 * np.maximum(1.0, np.abs(feasible.falls))

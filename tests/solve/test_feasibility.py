@@ -182,3 +182,20 @@ def test_what_it_says_of_a_length_is_what_a_run_does(seed, tail):
         assert found.feasible == (solution.status == 0), (share, solution.message)
         if tail == () and 0 <= share <= 1:
             assert found.feasible
+
+
+def test_a_length_that_may_exist_but_that_a_run_misses_is_not_called_impossible():
+    centreline, segments = made(1, curves=6)
+    plan = centreline.length
+    tail = ((0.7054, 0.02, 0.0), (0.7129, 0.5, 0.0), (0.7235, 0.0, 0.5), (0.7731, 1.5, 0.0), (0.8915, 0.0, 0.05))
+    known = tuple(KnownElevation(share * plan, elevation, tolerance) for share, elevation, tolerance in tail)
+    targets = Targets(1.00706 * plan, 0.07048 * plan, known=known)
+    iterates = []
+    assert finish(pgd(centreline, segments, targets), iterates.append).status != 0
+    found = feasibility(centreline, segments, targets)
+    low, high = found.reachable_length
+    assert low < targets.length < high
+    assert not found.feasible
+    assert f"Lines of this plan can be {low:.2f} m to {high:.2f} m long" in found.sentence
+    assert f"none of {targets.length:.2f} m was found" in found.sentence
+    assert f"a run ends at {iterates[-1].length:.2f} m" in found.sentence

@@ -6,6 +6,7 @@ import gc
 import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import TypeVar
 
 import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QObject, QTimer
@@ -25,6 +26,7 @@ from bobdesk.ui.settings import Settings
 from bobdesk.ui.theme import apply_theme
 from tests.ui.answers import Answers
 
+Shown = TypeVar("Shown", bound=QWidget)
 SAMPLE = Path(__file__).parent.parent.parent / "resources" / "samples" / "made_double" / "made_double.bobdesk"
 
 
@@ -73,6 +75,19 @@ def nothing_left(qapp: QApplication) -> Iterator[None]:
         if timer.isActive()
     ]
     assert not running, f"timers left behind: {[timer.parent() for timer in running]}"
+
+
+@pytest.fixture
+def shown(qtbot: QtBot) -> Callable[[Shown, int, int], Shown]:
+    """Return a function that shows a widget in a size and closes it after the test."""
+
+    def show(widget: Shown, width: int, height: int) -> Shown:
+        qtbot.addWidget(widget)
+        widget.resize(width, height)
+        widget.show()
+        return widget
+
+    return show
 
 
 @pytest.fixture

@@ -2,6 +2,7 @@
 
 import json
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -31,13 +32,10 @@ def settings(tmp_path: Path) -> Settings:
 
 
 @pytest.fixture
-def page(qtbot: QtBot, settings: Settings, tmp_path: Path) -> StartPage:
+def page(qtbot: QtBot, settings: Settings, tmp_path: Path, shown: Callable[..., StartPage]) -> StartPage:
     for name in ("c", "b", "a"):
         settings.remember_recent(tmp_path / f"{name}.bobdesk")
-    made = StartPage(settings)
-    qtbot.addWidget(made)
-    made.resize(1000, 800)
-    made.show()
+    made = shown(StartPage(settings), 1000, 800)
     qtbot.waitExposed(made)
     made.activateWindow()
     return made

@@ -74,7 +74,8 @@ class Remedies(QObject):
         from bobdesk.project import edits
 
         wanted, reachable = project.targets.length, found.reachable_length
-        if wanted is None or reachable is None:
+        # Between the ends a run may miss a length because of dips: of no other one it is known to meet it.
+        if wanted is None or reachable is None or reachable[0] < wanted < reachable[1]:
             return []
         # Rounded into the range, so that the figure is met and can be read.
         nearest = min(max(wanted, reachable[0] + 0.01), reachable[1] - 0.01)

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from bobdesk.progress import finish
 from bobdesk.project.project import Picture, Project
@@ -24,12 +23,9 @@ def decoded() -> tuple[Picture, DecodedPicture]:
 
 
 @pytest.fixture
-def view(qtbot: QtBot, desk: Desk, decoded: tuple[Picture, DecodedPicture]) -> Iterator[PlanView]:
+def view(shown: Callable[..., PlanView], desk: Desk, decoded: tuple[Picture, DecodedPicture]) -> Iterator[PlanView]:
     """A view of 800 by 800 that shows a drawn circle of 400 by 400 pixels."""
-    made = PlanView(desk)
-    qtbot.addWidget(made)
-    made.resize(800, 800)
-    made.show()
+    made = shown(PlanView(desk), 800, 800)
     desk.picture.keep(*decoded)
     desk.session.open(Project(picture=decoded[0]), None)
     assert desk.picture.decoded is not None

@@ -19,11 +19,8 @@ from tests.ui.segments.test_strips import move
 
 
 @pytest.fixture
-def view(desk, now, qtbot):
-    made = PlanView(desk)
-    qtbot.addWidget(made)
-    made.resize(1000, 800)
-    made.show()
+def view(desk, now, shown):
+    made = shown(PlanView(desk), 1000, 800)
     made.show_step("Segments")
     made.fit_all()
     made.grab()

@@ -42,15 +42,12 @@ LINES = {"eight": eight, "ring": ring, "limacon": limacon}
 
 
 @pytest.fixture(params=LINES)
-def view(request, desk, idle, qtbot):
+def view(request, desk, idle, shown):
     project = edits.open_coordinates(Project(), SourceLine("made.csv", Polyline(LINES[request.param]())))
     desk.session.open(project, None)
     alignment_now(desk)
     idle()
-    made = PlanView(desk)
-    qtbot.addWidget(made)
-    made.resize(1000, 800)
-    made.show()
+    made = shown(PlanView(desk), 1000, 800)
     made.show_step("Segments")
     made.fit_all()
     made.grab()

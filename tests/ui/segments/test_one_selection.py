@@ -14,12 +14,9 @@ from tests.ui.segments.test_strips import place
 
 
 @pytest.fixture(params=["plan", "strip"])
-def click_boundary(request, desk, now, qtbot):
+def click_boundary(request, desk, now, shown):
     """Return what clicks a boundary on the plan, or on a strip."""
-    made = PlanView(desk) if request.param == "plan" else StripStack(desk)
-    qtbot.addWidget(made)
-    made.resize(1000, 800 if request.param == "plan" else 330)
-    made.show()
+    made = shown(PlanView(desk), 1000, 800) if request.param == "plan" else shown(StripStack(desk), 1000, 330)
     if request.param == "plan":
         made.show_step("Segments")
         made.fit_all()

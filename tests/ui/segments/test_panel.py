@@ -32,12 +32,9 @@ CORTINA = SAMPLES / "cortina_2026_design"
 
 
 @pytest.fixture
-def panel(desk, now, window, qtbot, idle):
+def panel(desk, now, window, shown, idle):
     actions = ActionSet(SegmentActions(desk, window).table(), desk.settings, window, window)
-    made = SegmentsPanel(desk, actions)
-    qtbot.addWidget(made)
-    made.resize(430, 900)
-    made.show()
+    made = shown(SegmentsPanel(desk, actions), 430, 900)
     idle()
     return made
 

@@ -24,11 +24,8 @@ SAMPLES = DATA.parent.parent / "resources" / "samples"
 
 
 @pytest.fixture
-def stack(desk, now, qtbot):
-    made = StripStack(desk)
-    qtbot.addWidget(made)
-    made.resize(1000, 330)
-    made.show()
+def stack(desk, now, qtbot, shown):
+    made = shown(StripStack(desk), 1000, 330)
     qtbot.waitExposed(made)
     return made
 

@@ -17,12 +17,8 @@ from bobdesk.ui.segments.segments_table import SegmentsTable
 
 
 @pytest.fixture
-def table(desk, now, qtbot):
-    made = SegmentsTable(desk)
-    qtbot.addWidget(made)
-    made.resize(900, 500)
-    made.show()
-    return made
+def table(desk, now, shown):
+    return shown(SegmentsTable(desk), 900, 500)
 
 
 def cell(table, row, name):

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from pytestqt.qtbot import QtBot
 
 from bobdesk.project import edits
 from bobdesk.project.project import Project
@@ -53,11 +52,8 @@ def idle(desk: Desk, until: Callable[[Callable[[], bool]], None]) -> Callable[[]
 
 
 @pytest.fixture
-def panel(desk: Desk, opened: Project, qtbot: QtBot, idle: Callable[[], None]) -> SolvePanel:
+def panel(desk: Desk, opened: Project, shown: Callable[..., SolvePanel], idle: Callable[[], None]) -> SolvePanel:
     """The panel of the step Solve with that project, shown."""
-    made = SolvePanel(desk)
-    qtbot.addWidget(made)
-    made.resize(430, 1200)
-    made.show()
+    made = shown(SolvePanel(desk), 430, 1200)
     idle()
     return made

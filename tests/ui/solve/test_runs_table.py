@@ -16,12 +16,9 @@ NUMBERS = range(2, 11)
 
 
 @pytest.fixture
-def panel(desk, opened, solving, qtbot, idle):
+def panel(desk, opened, solving, shown, idle):
     """Two runs with drops 2 m apart, and an actual track."""
-    made = SolvePanel(desk)
-    qtbot.addWidget(made)
-    made.resize(430, 1200)
-    made.show()
+    made = shown(SolvePanel(desk), 430, 1200)
     desk.session.apply("Mean", lambda project: edits.set_mean_gradient(project, 0.09))
     for drop in (60.0, 62.0):
         desk.session.apply("Drop", lambda project, drop=drop: edits.set_drop(project, drop))

@@ -18,13 +18,10 @@ from bobdesk.ui.view3d.space_view import SpaceView
 
 
 @pytest.fixture
-def view(desk, opened, solving, idle, qtbot):
+def view(desk, opened, solving, idle, shown):
     solving.run()
     idle()
-    made = SpaceView(desk)
-    qtbot.addWidget(made)
-    made.resize(800, 600)
-    made.show()
+    made = shown(SpaceView(desk), 800, 600)
     idle()
     return made
 
